@@ -1,0 +1,39 @@
+// What a field says at a point about the ray from there. Negative is inside.
+struct Answer {
+    real free;      // along the ray no root is nearer: how far the ray may go
+    real distance;  // first-order estimate of the distance to the surface; heuristic
+    real value;     // f itself, for telling roots from poles
+    real rate;      // its derivative along the ray
+    bool sheet;     // whether the leaf is a sheet
+    int object;     // the leaf that gave this answer
+};
+
+// How many leaves were undefined in the latest evaluation of the field.
+int zs_undefined = 0;
+// Whether the latest evaluation used a step without a proof.
+bool zs_guess = false;
+
+Answer answer_union(Answer a, Answer b) {
+    if (b.free < a.free) return b;
+    return a;
+}
+
+// Only a positive operand vouches that the maximum stays positive: the larger answer.
+Answer answer_intersection(Answer a, Answer b) {
+    if (b.free > a.free) return b;
+    return a;
+}
+
+Answer answer_complement(Answer a) {
+    return Answer(-a.free, -a.distance, -a.value, -a.rate, a.sheet, a.object);
+}
+
+// How far to go through a region where nothing is known, such as outside a domain; heuristic.
+real blind_step() { return length(frame.bounds_half.xyz) / 64.0; }
+
+// Outside, and undefined: nothing is known about the way ahead.
+Answer answer_undefined(int object) {
+    ++zs_undefined;
+    zs_guess = true;
+    return Answer(blind_step(), zs_far, zs_far, 0.0, false, object);
+}

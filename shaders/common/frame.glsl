@@ -1,0 +1,31 @@
+// The numbers of one frame; laid out as render::Frame.
+layout(std140, binding = 0) uniform Frame {
+    vec4 eye;                // xyz, tan(fov / 2)
+    vec4 right, up, forward; // the camera's axes
+    vec4 picture;            // width, height of the full picture; x, y of this part
+    vec4 bounds_centre;      // xyz, distance at which rays end
+    vec4 bounds_half;        // xyz, height of the ground
+    vec4 march;              // steps, Lipschitz scale, epsilon, penumbra
+    vec4 sky;                // rgb, number of lights
+    vec4 ground;             // rgb, number of materials
+    vec4 background_top;     // rgb, exposure
+    vec4 background_bottom;  // rgb
+    vec4 light_direction[8];
+    vec4 light_colour[8];
+    vec4 material[16];           // rgb, strength of the highlight
+    vec4 material_shininess[16]; // exponent of the highlight
+} frame;
+
+// The unit direction of the ray through the centre of this fragment's pixel. Counted in whole
+// pixels of the full picture, so that a part is drawn exactly as the whole would be.
+real3 pixel_direction() {
+    vec2 pixel = floor(gl_FragCoord.xy) + frame.picture.zw;
+    real x = (2.0 * pixel.x + 1.0) / frame.picture.x - 1.0;
+    real y = 1.0 - (2.0 * pixel.y + 1.0) / frame.picture.y;
+    real k = frame.eye.w;
+    return normalize(frame.forward.xyz + (k * x * frame.picture.x / frame.picture.y) * frame.right.xyz +
+                     (k * y) * frame.up.xyz);
+}
+
+// The width of a pixel at a distance along the ray.
+real pixel_footprint(real t) { return t * 2.0 * frame.eye.w / frame.picture.y; }

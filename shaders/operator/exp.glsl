@@ -1,0 +1,1 @@
+real zs_exp(real x) { return exp(x); }

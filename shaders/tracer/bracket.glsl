@@ -1,0 +1,47 @@
+// Between lo (outside) and hi (inside) the answer changes its sign; the bracket shrinks around that.
+struct Bracket {
+    real lo, hi;
+    Answer outside, inside;
+    real first_value;  // |f| at the outer end when the bracket was made
+    int tries;
+};
+
+Bracket bracket_between(real lo, real hi, Answer outside, Answer inside) {
+    return Bracket(lo, hi, outside, inside, abs(outside.value), 0);
+}
+
+// Where to look next: by a secant of the estimated distances, kept inside, or in the middle.
+real bracket_guess(Bracket b) {
+    real v = b.outside.distance, w = -b.inside.distance;
+    bool secant = (b.tries & 1) == 0 && v < zs_far && w < zs_far && v + w > 0.0;
+    return b.lo + (b.hi - b.lo) * (secant ? clamp(v / (v + w), 0.02, 0.98) : 0.5);
+}
+
+void bracket_add(inout Bracket b, real t, Answer a) {
+    ++b.tries;
+    if (a.free <= 0.0) {
+        b.hi = t;
+        b.inside = a;
+    } else {
+        b.lo = t;
+        b.outside = a;
+    }
+}
+
+// As small as single precision allows, or tried often enough.
+bool bracket_is_small(Bracket b) {
+    return b.hi - b.lo <= zs_relative_step * max(b.hi, 1e-3) || b.tries >= 48;
+}
+
+// Tells a root from a pole or a jump, where a sheet's f changes its sign without being zero. At a pole
+// |f| grows towards the change from both sides; at a jump the first-order distance stays far larger
+// than the bracket. Heuristic, as it must be in floating point. For a solid every change is a wall.
+bool bracket_is_surface(Bracket b) {
+    if (!b.inside.sheet) return true;
+    real fa = b.outside.value, fb = b.inside.value;
+    if (isinf(fa) || isinf(fb)) return false;
+    bool pole = fa * b.outside.rate > 0.0 && fb * b.inside.rate < 0.0 && abs(fa) >= b.first_value;
+    real nearest = min(abs(b.outside.distance), abs(b.inside.distance));
+    bool jump = fa != 0.0 && !(nearest <= max(16.0 * (b.hi - b.lo), pixel_footprint(b.hi)));
+    return !pole && !jump;
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "cli/input.h"
+
+#include <chrono>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "base/file.h"
+#include "scene/preset.h"
+
+namespace cli {
+namespace {
+
+void print_all(const base::Diagnostics& problems, std::string_view name, std::string_view text) {
+    for (const base::Diagnostic& problem : problems) {
+        fmt::print(stderr, "{}", base::format(problem, name, text));
+    }
+}
+
+/// Where a text is from, to report places in it.
+struct Source {
+    std::string name;
+    std::string text;
+    std::vector<std::uint32_t> places;  ///< of each byte of the formula in the text; empty: the same
+
+    base::Diagnostics in_text(base::Diagnostics problems) const {
+        if (places.empty()) return problems;
+        for (base::Diagnostic& problem : problems) {
+            if (!problem.span) continue;
+            const std::uint32_t last = static_cast<std::uint32_t>(places.size() - 1);
+            const std::uint32_t begin = std::min(problem.span->begin, last);
+            const std::uint32_t end = std::min(std::max(problem.span->end, begin), last);
+            // The end is behind the last byte, not at the next one: that may be on another line.
+            problem.span = {places[begin], end > begin ? places[end - 1] + 1 : places[begin]};
+        }
+        return problems;
+    }
+};
+
+/// Fills source and document from the options; false after reporting errors.
+bool read_document(const InputOptions& options, Source& source, scene::Document& document) {
+    if (options.formula) {
+        source = {"formula", *options.formula, {}};
+        document.formula = *options.formula;
+        return true;
+    }
+    const auto path = scene::find_preset(options.preset);
+    if (!path) {
+        report(path.problems());
+        return false;
+    }
+    const auto text = base::read_text(*path, scene::largest_preset);
+    if (!text) {
+        report(text.problems());
+        return false;
+    }
+    auto preset = scene::read_preset(*text);
+    if (!preset) {
+        print_all(preset.problems(), path->string(), *text);
+        return false;
+    }
+    print_all(preset->warnings, path->string(), *text);
+    source = {path->string(), *text, std::move(preset->formula_places)};
+    document = std::move(preset->document);
+    return true;
+}
+
+}  // namespace
+
+void add_input_options(CLI::App& command, InputOptions& options) {
+    auto* preset = command.add_option("PRESET", options.preset,
+                                      "A preset file, or the name of a shipped or own preset");
+    auto* formula = command.add_option("--formula", options.formula,
+                                       "The formula itself instead of a preset");
+    preset->excludes(formula);
+    command.callback([&command, &options] {
+        if (options.preset.empty() && !options.formula) {
+            throw CLI::RequiredError(command.get_name() + ": PRESET or --formula");
+        }
+    });
+}
+
+std::optional<Input> read_input(const InputOptions& options) {
+    Source source;
+    Input input;
+    if (!read_document(options, source, input.document)) return std::nullopt;
+    const auto start = std::chrono::steady_clock::now();
+    auto formula = compile::compile_formula(input.document.formula);
+    input.parse_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!formula) {
+        print_all(source.in_text(formula.problems()), source.name, source.text);
+        return std::nullopt;
+    }
+    print_all(source.in_text(formula->warnings), source.name, source.text);
+    input.formula = std::move(*formula);
+    return input;
+}
+
+void report(const base::Diagnostics& problems) {
+    print_all(problems, "zeroset", "");
+}
+
+}  // namespace cli

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "cli/run.h"
+
+#include <exception>
+#include <map>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/check_command.h"
+#include "cli/emit_command.h"
+#include "cli/input.h"
+#include "cli/render_command.h"
+#include "cli/render_options.h"
+
+namespace cli {
+namespace {
+
+/// All that the command line can say.
+struct Arguments {
+    InputOptions input;
+    RenderOptions render;
+    RenderOutputs outputs;
+    Emitted emitted = Emitted::glsl;
+    std::string studio_preset;
+};
+
+CLI::App* add_render(CLI::App& app, Arguments& a) {
+    CLI::App* command = app.add_subcommand("render", "Renders without a display");
+    add_input_options(*command, a.input);
+    add_render_options(*command, a.render);
+    command->add_option("-o,--output", a.outputs.picture, "The shaded picture")->type_name("FILE.png");
+    command
+        ->add_option("--depth", a.outputs.depth,
+                     "Distance from the eye along the unit ray; +infinity for a miss")
+        ->type_name("FILE.pfm");
+    command->add_option("--normal", a.outputs.normal, "Unit normal, facing the eye; 0 for a miss")
+        ->type_name("FILE.pfm");
+    command->add_option("--stats", a.outputs.stats, "Statistics as JSON; - for standard output")
+        ->type_name("FILE.json");
+    command->add_option("--repeat", a.outputs.repeat, "Render so many frames more, each timed")
+        ->check(CLI::Range(0, 100000))
+        ->type_name("N");
+    return command;
+}
+
+CLI::App* add_check(CLI::App& app, Arguments& a) {
+    CLI::App* command = app.add_subcommand("check", "Parses and checks; renders nothing");
+    add_input_options(*command, a.input);
+    return command;
+}
+
+CLI::App* add_emit(CLI::App& app, Arguments& a) {
+    CLI::App* command = app.add_subcommand("emit", "Prints what the compiler made");
+    add_input_options(*command, a.input);
+    add_render_options(*command, a.render);
+    const std::map<std::string, Emitted> names{
+        {"glsl", Emitted::glsl}, {"graph", Emitted::graph}, {"ast", Emitted::ast}};
+    command->add_option("--what", a.emitted, "The program, the expressions, or the syntax tree")
+        ->required()
+        ->transform(CLI::Transformer(names))
+        ->type_name("glsl|graph|ast");
+    return command;
+}
+
+CLI::App* add_studio(CLI::App& app, Arguments& a) {
+    CLI::App* command = app.add_subcommand("studio", "Opens the window (the default)");
+    command->add_option("PRESET", a.studio_preset, "A preset file, or the name of a preset");
+    return command;
+}
+
+int studio_command(const Arguments& a) {
+    (void)a; base::Status status = base::error("no studio");
+    return status ? success : failed;
+}
+
+int dispatch(int argc, char** argv) {
+    CLI::App app("Zeroset: a studio for implicit surfaces and 3-D fractals", "zeroset");
+    app.set_version_flag("--version", "zeroset " ZEROSET_VERSION);
+    app.require_subcommand(0, 1);
+    Arguments a;
+    const CLI::App* render = add_render(app, a);
+    const CLI::App* check_app = add_check(app, a);
+    const CLI::App* emit_app = add_emit(app, a);
+    add_studio(app, a);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+            return app.exit(error);
+        }
+        fmt::print(stderr, "zeroset: error: {}\nRun with --help for more information.\n",
+                   error.what());
+        return usage;
+    }
+    if (*render) return render_command(a.input, a.render, a.outputs);
+    if (*check_app) return check(a.input);
+    if (*emit_app) return emit(a.input, a.render, a.emitted);
+    return studio_command(a);
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+    try {
+        return dispatch(argc, argv);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "zeroset: error: {}\n", error.what());
+        return failed;
+    }
+}
+
+}  // namespace cli

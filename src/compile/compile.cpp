@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "compile/compile.h"
+
+#include <array>
+#include <cmath>
+
+#include "analysis/leaf_bounds.h"
+#include "eval/tape.h"
+#include "formula/lower.h"
+#include "passes/pipeline.h"
+
+namespace compile {
+namespace {
+
+using shader::FieldValue;
+
+analysis::Region region_of(const scene::Bounds& bounds) {
+    const scene::Bounds framed = scene::framed_region(bounds);
+    return {framed.centre, framed.half, framed.shape == scene::Bounds::Shape::sphere};
+}
+
+/// Bounds by leaf, found when they are first asked for.
+class Bounds {
+public:
+    Bounds(const Formula& formula, const scene::Document& document, std::span<const double> values)
+        : formula_(formula),
+          unbounded_(document.bounds.shape == scene::Bounds::Shape::none),
+          region_(region_of(document.bounds)),
+          values_(values) {}
+
+    const analysis::LeafBounds& of(field::FieldId leaf) {
+        const auto found = known_.find(leaf);
+        if (found != known_.end()) return found->second;
+        // Rays without an end leave every region that could be bounded: the first order takes over.
+        const analysis::LeafBounds bounds =
+            unbounded_ ? analysis::LeafBounds{}
+                       : analysis::leaf_bounds(formula_.derivatives.at(leaf), region_, values_);
+        return known_[leaf] = bounds;
+    }
+
+private:
+    const Formula& formula_;
+    bool unbounded_;
+    analysis::Region region_;
+    std::span<const double> values_;
+    std::map<field::FieldId, analysis::LeafBounds> known_;
+};
+
+/// The number in single precision, on the safe side of the rounding.
+float rounded_down(double value) {
+    return std::nextafter(static_cast<float>(value), 0.0F);
+}
+float rounded_up(double value) {
+    return std::nextafter(static_cast<float>(value), INFINITY);
+}
+
+float number(const FieldValue& value, Bounds& bounds, double expression) {
+    switch (value.what) {
+        case FieldValue::What::expression: return static_cast<float>(expression);
+        case FieldValue::What::inverse_lipschitz: {
+            const double lipschitz = bounds.of(value.leaf).lipschitz;
+            if (lipschitz == 0) return 1e30F;  // constant: no root anywhere
+            return std::isfinite(lipschitz) ? rounded_down(1 / lipschitz) : 0.0F;
+        }
+        case FieldValue::What::second_derivative: {
+            const double second = bounds.of(value.leaf).second_derivative;
+            return second < 1e30 ? rounded_up(second) : -1.0F;
+        }
+        case FieldValue::What::first_order: return bounds.of(value.leaf).stiff ? 1.0F : 0.0F;
+    }
+    return 0;
+}
+
+}  // namespace
+
+base::Result<Formula> compile_formula(std::string_view text) {
+    auto lowered = formula::understand(text);
+    if (!lowered) return lowered.problems();
+    Formula formula{std::move(lowered->field), std::move(lowered->warnings), {}};
+    passes::run(formula.field);
+    for (field::FieldId id : leaves(formula.field, formula.field.root)) {
+        const auto* leaf = std::get_if<field::Formula>(&formula.field[id]);
+        if (leaf && (leaf->metric == field::Metric::scalar || leaf->kind == field::Kind::sheet)) {
+            formula.derivatives.try_emplace(
+                id, analysis::derivative_tapes(formula.field.graph, leaf->value));
+        }
+    }
+    return formula;
+}
+
+shader::ProgramSource program_source(const Formula& formula, const scene::Document& document,
+                                     shader::Outputs outputs) {
+    const scene::Settings& settings = document.settings;
+    shader::Features features;
+    features.tracer = settings.tracer;
+    features.bounds_sphere = document.bounds.shape == scene::Bounds::Shape::sphere;
+    features.bounds_box = document.bounds.shape == scene::Bounds::Shape::box;
+    features.shadows = settings.shadows;
+    features.ambient_occlusion = settings.ambient_occlusion;
+    features.grid = settings.grid;
+    features.show_steps = settings.show_steps;
+    features.outputs = outputs;
+    return shader::program_source(formula.field, features);
+}
+
+std::vector<double> parameter_values(const field::Field& field, const scene::Document& document) {
+    std::vector<double> values(field.graph.parameter_count(), 0.0);
+    values[index(graph::parameter_t)] = document.time;
+    for (const field::Parameter& parameter : field.parameters) {
+        const auto moved = document.parameters.find(parameter.name);
+        values[index(parameter.id)] =
+            moved == document.parameters.end() ? parameter.initial : moved->second;
+    }
+    return values;
+}
+
+std::vector<float> field_values(const Formula& formula, const shader::ProgramSource& source,
+                                const scene::Document& document) {
+    const std::vector<double> parameters = parameter_values(formula.field, document);
+    std::vector<double> expressions(source.expressions.roots.size());
+    std::vector<double> registers;
+    eval::evaluate<double>(source.expressions, {}, parameters, expressions, registers);
+    Bounds bounds(formula, document, parameters);
+    std::vector<float> values;
+    std::size_t next = 0;
+    for (const FieldValue& value : source.field_values) {
+        const bool is_expression = value.what == FieldValue::What::expression;
+        values.push_back(number(value, bounds, is_expression ? expressions[next++] : 0));
+    }
+    return values;
+}
+
+}  // namespace compile

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The facade over the whole chain: a formula's text becomes a field, a field and settings become a
+// program's source, a field and parameter values become the numbers that the program is fed with.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/derivative_bounds.h"
+#include "base/result.h"
+#include "field/field.h"
+#include "scene/document.h"
+#include "shader/program_source.h"
+
+namespace compile {
+
+/// A formula that is understood: parsed, lowered, and passed through all passes.
+struct Formula {
+    field::Field field;
+    base::Diagnostics warnings;
+    /// For each leaf that is no distance what its bounds are found from.
+    std::map<field::FieldId, analysis::DerivativeTapes> derivatives;
+};
+
+/// Spans are bytes of the text. All problems are reported, not only the first.
+base::Result<Formula> compile_formula(std::string_view text);
+
+/// The program that draws this document's picture; depends on the formula and on what is switched on,
+/// never on a parameter's value. `outputs` says what is written per pixel.
+shader::ProgramSource program_source(const Formula& formula, const scene::Document& document,
+                                     shader::Outputs outputs);
+
+/// Values of all of the graph's parameters: the time, then the sliders, from the document or else
+/// by default. Names in the document that the formula does not have are ignored.
+std::vector<double> parameter_values(const field::Field& field, const scene::Document& document);
+
+/// The numbers of one frame that come from the formula: hoisted expressions and bounds of
+/// derivatives, in the order of ProgramSource::field_values. Runs the analyses; milliseconds.
+std::vector<float> field_values(const Formula& formula, const shader::ProgramSource& source,
+                                const scene::Document& document);
+
+}  // namespace compile

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "eval/field_value.h"
+
+#include <array>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "eval/tape.h"
+#include "numeric/real.h"
+
+namespace eval {
+namespace {
+
+/// What a point of one field is evaluated with.
+struct Place {
+    const field::Field& field;
+    glm::dvec3 point;
+    std::vector<double> parameters;
+};
+
+/// Outside the domain of a solid is outside.
+double solid(double value) { return std::isnan(value) ? numeric::infinity : value; }
+
+double value_at(const Place& place, field::FieldId id);
+
+std::vector<double> run(const Place& place, std::span<const graph::NodeId> roots,
+                        const std::vector<double>& variables) {
+    std::vector<double> results(roots.size()), scratch;
+    evaluate<double>(make_tape(place.field.graph, roots), variables, place.parameters, results,
+                     scratch);
+    return results;
+}
+
+/// Once around the loop: the step for all state variables at once, from the old state.
+void set_state(const field::Iteration& iteration, const std::vector<double>& values,
+               std::vector<double>& variables) {
+    for (std::size_t i = 0; i < iteration.state.size(); ++i) {
+        variables[graph::index(iteration.state[i])] = values[i];
+    }
+}
+
+double leaf(const Place& place, const field::Iteration& iteration) {
+    std::vector<double> variables(place.field.graph.variable_count(), 0.0);
+    for (int i = 0; i < 3; ++i) variables[static_cast<std::size_t>(i)] = place.point[i];
+    set_state(iteration, run(place, iteration.start, variables), variables);
+
+    const Tape step = make_tape(place.field.graph, iteration.step);
+    std::vector<double> scratch, state(iteration.state.size());
+    const double limit = std::round(run(place, std::array{iteration.limit}, variables)[0]);
+    const auto escaped = [&] {
+        return iteration.escape && run(place, std::array{*iteration.escape}, variables)[0] > 0;
+    };
+    bool out = escaped();
+    for (double i = 0; i < limit && !out; ++i) {
+        evaluate<double>(step, variables, place.parameters, state, scratch);
+        set_state(iteration, state, variables);
+        out = escaped();
+    }
+    if (iteration.escape && !out) return -numeric::infinity;
+    return solid(run(place, std::array{iteration.distance}, variables)[0]);
+}
+
+double leaf(const Place& place, const field::Formula& formula) {
+    const double value = evaluate(place.field.graph, formula.value, place.point, place.parameters);
+    return formula.kind == field::Kind::solid ? solid(value) : value;
+}
+
+double smooth_minimum(double a, double b, double k) {
+    // An infinite operand blends with nothing, and the formula would give NaN.
+    if (!(std::abs(b - a) < k)) return numeric::min(a, b);
+    const double h = 0.5 + 0.5 * (b - a) / k;
+    return b + (a - b) * h - k * h * (1 - h);
+}
+
+double value_at(const Place& place, field::FieldId id) {
+    struct Visitor {
+        const Place& place;
+        double operator()(const field::Formula& node) const { return leaf(place, node); }
+        double operator()(const field::Iteration& node) const { return leaf(place, node); }
+        double operator()(const field::Union& node) const {
+            return numeric::min(value_at(place, node.a), value_at(place, node.b));
+        }
+        double operator()(const field::Intersection& node) const {
+            return numeric::max(value_at(place, node.a), value_at(place, node.b));
+        }
+        double operator()(const field::Complement& node) const { return -value_at(place, node.a); }
+        double operator()(const field::SmoothUnion& node) const {
+            const double k = evaluate(place.field.graph, node.k, place.point, place.parameters);
+            return smooth_minimum(value_at(place, node.a), value_at(place, node.b), k);
+        }
+    };
+    return std::visit(Visitor{place}, place.field[id]);
+}
+
+}  // namespace
+
+double value(const field::Field& field, field::FieldId id, glm::dvec3 point,
+             std::span<const double> parameters) {
+    Place place{field, point, {parameters.begin(), parameters.end()}};
+    if (place.parameters.size() < field.graph.parameter_count()) {
+        place.parameters.resize(field.graph.parameter_count(), 0.0);
+    }
+    return value_at(place, id);
+}
+
+}  // namespace eval

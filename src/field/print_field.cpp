@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "field/print_field.h"
+
+#include <string_view>
+#include <utility>
+
+#include "graph/print.h"
+
+namespace field {
+namespace {
+
+using graph::NodeId;
+
+/// A node to print, how deep in the tree.
+struct Entry {
+    FieldId id{};
+    int depth = 0;
+};
+
+/// Named expressions, printed as one graph.
+std::string expressions(const graph::Graph& graph,
+                        const std::vector<std::pair<std::string, NodeId>>& list,
+                        const std::string& indent) {
+    std::vector<NodeId> roots;
+    for (const auto& [name, id] : list) roots.push_back(id);
+    std::vector<std::string> names;
+    const std::string body = print(graph, roots, &names);
+    std::string text;
+    for (std::string_view rest = body; !rest.empty();) {
+        const std::size_t end = rest.find('\n') + 1;
+        text += indent;
+        text += rest.substr(0, end);
+        rest.remove_prefix(end);
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        text += indent + list[i].first + ": " + names[i] + '\n';
+    }
+    return text;
+}
+
+struct Printer {
+    const Field& field;
+    std::string indent;
+    std::vector<FieldId> children{};
+
+    std::string operator()(const Formula& leaf) const {
+        const std::string kind = leaf.kind == Kind::sheet ? "sheet" : "solid";
+        const std::string metric = leaf.metric == Metric::distance ? " distance" : "";
+        return kind + metric + '\n' +
+               expressions(field.graph, {{"value", leaf.value}}, indent + "  ");
+    }
+    std::string operator()(const Iteration& leaf) const {
+        std::vector<std::pair<std::string, NodeId>> list;
+        for (std::size_t i = 0; i < leaf.state.size(); ++i) {
+            const std::string& name = field.graph.name(leaf.state[i]);
+            list.emplace_back("start " + name, leaf.start[i]);
+            list.emplace_back("step " + name, leaf.step[i]);
+        }
+        list.emplace_back("limit", leaf.limit);
+        if (leaf.escape) list.emplace_back("escape", *leaf.escape);
+        list.emplace_back("distance", leaf.distance);
+        return "iteration\n" + expressions(field.graph, list, indent + "  ");
+    }
+    std::string operator()(const Union& node) { return inner("union", {node.a, node.b}); }
+    std::string operator()(const Intersection& node) {
+        return inner("intersection", {node.a, node.b});
+    }
+    std::string operator()(const Complement& node) { return inner("complement", {node.a}); }
+    std::string operator()(const SmoothUnion& node) {
+        std::string text = inner("smooth union", {node.a, node.b});
+        return text + expressions(field.graph, {{"width", node.k}}, indent + "  ");
+    }
+    std::string inner(const char* name, std::vector<FieldId> below) {
+        children = std::move(below);
+        return std::string(name) + '\n';
+    }
+};
+
+}  // namespace
+
+std::string print(const Field& field) {
+    std::string text;
+    std::vector<Entry> open{{field.root, 0}};
+    while (!open.empty()) {
+        const Entry entry = open.back();
+        open.pop_back();
+        Printer printer{field, std::string(static_cast<std::size_t>(entry.depth) * 2, ' ')};
+        text += printer.indent + std::visit(printer, field[entry.id]);
+        for (std::size_t i = printer.children.size(); i-- > 0;) {
+            open.push_back({printer.children[i], entry.depth + 1});
+        }
+    }
+    return text;
+}
+
+}  // namespace field

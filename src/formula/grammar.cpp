@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+#include "formula/grammar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/spirit/home/x3.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "formula/limits.h"
+#include "formula/number.h"
+
+namespace formula {
+namespace {
+
+namespace x3 = boost::spirit::x3;
+
+using Place = const char*;
+
+/// What the actions build, and what they must know about the text before a place.
+struct Building {
+    Place text;
+    Program& program;
+    base::Diagnostics& errors;
+    bool in_parameter = false;
+    Place number_end = nullptr;  ///< where the last number ended
+    bool too_high = false;
+
+    base::SourceSpan span(Place begin, Place end) const {
+        return {static_cast<std::uint32_t>(begin - text), static_cast<std::uint32_t>(end - text)};
+    }
+
+    ExpressionId add(ExpressionNode node, base::SourceSpan span) {
+        const ExpressionId id = program.add(std::move(node), span);
+        if (program[id].height > max_height && !too_high) {
+            too_high = true;
+            errors.push_back(base::error(
+                span, fmt::format("the expression nests more than {} levels deep; give parts of it "
+                                  "names in definitions",
+                                  max_height)));
+        }
+        return id;
+    }
+};
+struct building_tag;
+
+template <class Context>
+Building& building(const Context& context) {
+    return x3::get<building_tag>(context);
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+Place skip_blanks(Place first, Place last) { return std::find_if_not(first, last, is_blank); }
+
+Place name_end(Place first, Place last) {
+    if (first == last || !is_letter(*first)) return first;
+    return std::find_if_not(first, last, [](char c) { return is_letter(c) || is_digit(c); });
+}
+
+/// A bracket that is opened on the same line, as a call needs it.
+bool opens_bracket(Place first, Place last) {
+    first = skip_blanks(first, last);
+    return first != last && *first == '(';
+}
+
+/// True for `in` and `step` where they introduce a part of a parameter's declaration.
+bool is_keyword(const Building& building, Place first, Place end, Place last) {
+    const std::string_view word(first, static_cast<std::size_t>(end - first));
+    return building.in_parameter && (word == "in" || (word == "step" && !opens_bracket(end, last)));
+}
+
+/// A parser of a token: skips blanks and comments, then lets `match` say where the token ends (at
+/// its beginning if there is none). Its attribute is the token's text.
+template <class Match>
+struct TokenParser : x3::parser<TokenParser<Match>> {
+    using attribute_type = std::string_view;
+    static constexpr bool has_attribute = true;
+
+    explicit TokenParser(Match function) : match(function) {}
+
+    template <class Context, class RuleContext, class Attribute>
+    bool parse(Place& first, const Place& last, const Context& context, RuleContext&,
+               Attribute& attribute) const {
+        Place begin = first;
+        x3::skip_over(begin, last, context);
+        const Place end = match(building(context), begin, last);
+        if (end == begin) return false;
+        x3::traits::move_to(std::string_view(begin, static_cast<std::size_t>(end - begin)),
+                            attribute);
+        first = end;
+        return true;
+    }
+
+    Match match;
+};
+
+/// A parser of nothing: succeeds where `holds` is true, before any blank is skipped.
+template <class Holds>
+struct Condition : x3::parser<Condition<Holds>> {
+    using attribute_type = x3::unused_type;
+    static constexpr bool has_attribute = false;
+
+    explicit Condition(Holds function) : holds(function) {}
+
+    template <class Context, class RuleContext, class Attribute>
+    bool parse(Place& first, const Place& last, const Context& context, RuleContext&,
+               Attribute&) const {
+        return holds(building(context), first, last);
+    }
+
+    Holds holds;
+};
+
+const TokenParser number_token([](const Building&, Place first, Place last) {
+    return first + number_length({first, static_cast<std::size_t>(last - first)});
+});
+
+const TokenParser name_token([](const Building& building, Place first, Place last) {
+    const Place end = name_end(first, last);
+    return is_keyword(building, first, end, last) ? first : end;
+});
+
+const TokenParser label_token([](const Building&, Place first, Place last) {
+    if (first == last || *first != '"') return first;
+    const Place quote = std::find(first + 1, last, '"');
+    return quote == last ? first : quote + 1;
+});
+
+const Condition call_follows([](const Building&, Place first, Place last) {
+    return opens_bracket(first, last);
+});
+
+/// A number before a name or a bracket; a closing bracket before a name, a number or a bracket; on
+/// one line.
+const Condition product_is_implied([](const Building& building, Place first, Place last) {
+    const bool after_bracket = first != building.text && first[-1] == ')';
+    if (!after_bracket && first != building.number_end) return false;
+    const Place next = skip_blanks(first, last);
+    if (next == last) return false;
+    if (is_letter(*next)) return !is_keyword(building, next, name_end(next, last), last);
+    if (*next == '(') return true;
+    return after_bracket && number_length({next, static_cast<std::size_t>(last - next)}) > 0;
+});
+
+auto keyword(std::string_view word) {
+    return TokenParser([word](const Building&, Place first, Place last) {
+        const Place end = name_end(first, last);
+        return std::string_view(first, static_cast<std::size_t>(end - first)) == word ? end : first;
+    });
+}
+
+using Operands = std::vector<Operand>;
+using Expressions = std::vector<ExpressionId>;
+struct Signed {
+    bool negative = false;
+    ExpressionId expression{};
+    base::SourceSpan span;  ///< with the signs
+};
+struct Called {
+    std::string_view name;
+    std::optional<Expressions> arguments;
+};
+
+// Sets the span of what was just built. Rules whose parts have actions get no attribute here, so
+// each of these is a rule of its own around the rule that builds.
+struct primary_tag {
+    template <class Context>
+    void on_success(Place first, Place last, ExpressionId& id, const Context& context) {
+        Building& state = building(context);
+        Expression& expression = state.program.expressions[index(id)];
+        // A name keeps its own span, so that errors about it point at it and not at its brackets.
+        const bool name = std::holds_alternative<Name>(expression.node);
+        if (!name) expression.span = state.span(first, last);
+        if (std::holds_alternative<Number>(expression.node)) state.number_end = last;
+    }
+};
+struct signed_tag {
+    template <class Context>
+    void on_success(Place first, Place last, Signed& value, const Context& context) {
+        value.span = building(context).span(first, last);
+    }
+};
+
+// What a rule is called is what an error says was expected.
+const x3::rule<struct expression_tag, ExpressionId> expression = "expression";
+const x3::rule<struct union_tag, Operands> union_chain = "expression";
+const x3::rule<struct intersection_tag, ExpressionId> intersection = "expression";
+const x3::rule<struct intersection_chain_tag, Operands> intersection_chain = "expression";
+const x3::rule<struct comparison_tag, ExpressionId> comparison = "expression";
+const x3::rule<struct sum_tag, ExpressionId> sum = "expression";
+const x3::rule<struct sum_chain_tag, Operands> sum_chain = "expression";
+const x3::rule<struct product_tag, ExpressionId> product = "expression";
+const x3::rule<struct product_chain_tag, Operands> product_chain = "expression";
+const x3::rule<struct power_tag, ExpressionId> power = "expression";
+const x3::rule<struct power_chain_tag, std::vector<Signed>> power_chain = "expression";
+const x3::rule<signed_tag, Signed> signed_primary = "expression";
+const x3::rule<struct signed_parts_tag, Signed> signed_parts = "expression";
+const x3::rule<primary_tag, ExpressionId> primary = "expression";
+const x3::rule<struct primary_parts_tag, ExpressionId> primary_parts = "expression";
+const x3::rule<struct called_tag, Called> called = "expression";
+const x3::rule<struct arguments_tag, Expressions> arguments = "arguments";
+const x3::rule<struct bracketed_tag, Expressions> bracketed = "expression";
+
+/// Adds an operand to the chain that the rule builds.
+auto join(Joint joint) {
+    return [joint](auto& context) { x3::_val(context).push_back({joint, x3::_attr(context)}); };
+}
+
+/// Turns a chain into a node, or into its only operand.
+template <class Chain>
+auto collect() {
+    return [](auto& context) {
+        Operands& operands = x3::_attr(context);
+        Building& state = building(context);
+        const ExpressionId first = operands.front().expression;
+        const ExpressionId last = operands.back().expression;
+        const base::SourceSpan span =
+            base::cover(state.program[first].span, state.program[last].span);
+        x3::_val(context) =
+            operands.size() == 1 ? first : state.add(Chain{std::move(operands)}, span);
+    };
+}
+
+const auto pass_on = [](auto& context) { x3::_val(context) = x3::_attr(context); };
+const auto append = [](auto& context) { x3::_val(context).push_back(x3::_attr(context)); };
+
+auto relate(Relation relation) {
+    return [relation](auto& context) {
+        Building& state = building(context);
+        const ExpressionId left = x3::_val(context);
+        const ExpressionId right = x3::_attr(context);
+        const base::SourceSpan span =
+            base::cover(state.program[left].span, state.program[right].span);
+        x3::_val(context) = state.add(Comparison{relation, left, right}, span);
+    };
+}
+
+/// From the right: each exponent is the whole rest of the chain, and a sign is applied to all that
+/// is right of it.
+const auto fold_powers = [](auto& context) {
+    Building& state = building(context);
+    const std::vector<Signed>& chain = x3::_attr(context);
+    ExpressionId value{};
+    base::SourceSpan span;
+    for (std::size_t i = chain.size(); i-- > 0;) {
+        const bool last = i + 1 == chain.size();
+        const base::SourceSpan base_span = state.program[chain[i].expression].span;
+        span = last ? base_span : base::cover(base_span, span);
+        value = last ? chain[i].expression : state.add(Power{chain[i].expression, value}, span);
+        span = base::cover(chain[i].span, span);
+        if (chain[i].negative) value = state.add(Negate{value}, span);
+    }
+    x3::_val(context) = value;
+};
+
+const auto flip_sign = [](auto& context) {
+    x3::_val(context).negative = !x3::_val(context).negative;
+};
+const auto set_operand = [](auto& context) { x3::_val(context).expression = x3::_attr(context); };
+
+const auto make_number = [](auto& context) {
+    Building& state = building(context);
+    const std::string_view spelling = x3::_attr(context);
+    const std::optional<double> value = number_value(spelling);
+    if (!value) {
+        state.errors.push_back(
+            base::error(state.span(spelling.data(), spelling.data() + spelling.size()),
+                        "the number is too large; the largest is about 1.8e308"));
+    }
+    x3::_val(context) = state.add(Number{value.value_or(0)}, {});
+};
+
+const auto set_name = [](auto& context) { x3::_val(context).name = x3::_attr(context); };
+const auto set_arguments = [](auto& context) {
+    x3::_val(context).arguments = std::move(x3::_attr(context));
+};
+const auto make_called = [](auto& context) {
+    Building& state = building(context);
+    Called& it = x3::_attr(context);
+    const base::SourceSpan span = state.span(it.name.data(), it.name.data() + it.name.size());
+    x3::_val(context) =
+        it.arguments ? state.add(Call{std::string(it.name), span, std::move(*it.arguments)}, span)
+                     : state.add(Name{std::string(it.name)}, span);
+};
+const auto make_bracketed = [](auto& context) {
+    Expressions& inside = x3::_attr(context);
+    x3::_val(context) =
+        inside.size() == 1 ? inside.front() : building(context).add(Tuple{std::move(inside)}, {});
+};
+
+const auto closing = x3::rule<struct closing_tag>{"')'"} = x3::lit(')');
+
+const auto expression_def = union_chain[collect<Union>()];
+const auto union_chain_def = intersection[join(Joint::either)] >>
+                             *('|' > intersection[join(Joint::either)]);
+const auto intersection_def = intersection_chain[collect<Intersection>()];
+const auto intersection_chain_def = comparison[join(Joint::both)] >>
+                                    *(('&' > comparison[join(Joint::both)]) |
+                                      ('\\' > comparison[join(Joint::without)]));
+const auto comparison_def = sum[pass_on] >>
+                            -((x3::lit("<=") > sum[relate(Relation::less_equal)]) |
+                              (x3::lit(">=") > sum[relate(Relation::greater_equal)]) |
+                              ('<' > sum[relate(Relation::less)]) |
+                              ('>' > sum[relate(Relation::greater)]) |
+                              ('=' > sum[relate(Relation::equal)]));
+const auto sum_def = sum_chain[collect<Sum>()];
+const auto sum_chain_def = product[join(Joint::plus)] >> *(('+' > product[join(Joint::plus)]) |
+                                                           ('-' > product[join(Joint::minus)]));
+const auto product_def = product_chain[collect<Product>()];
+const auto product_chain_def = power[join(Joint::times)] >>
+                               *((product_is_implied > power[join(Joint::implied_times)]) |
+                                 ('*' > power[join(Joint::times)]) |
+                                 ('/' > power[join(Joint::over)]));
+const auto power_def = power_chain[fold_powers];
+const auto power_chain_def = signed_primary[append] >> *('^' > signed_primary[append]);
+const auto signed_primary_def = signed_parts;
+const auto signed_parts_def =
+    primary[set_operand] | (+(x3::lit('-')[flip_sign] | '+') > primary[set_operand]);
+const auto primary_def = primary_parts;
+const auto primary_parts_def =
+    number_token[make_number] | called[make_called] | bracketed[make_bracketed];
+const auto called_def = name_token[set_name] >> -(call_follows >> arguments[set_arguments]);
+const auto arguments_def = '(' > -(expression[append] >> *(',' > expression[append])) > closing;
+const auto bracketed_def = '(' > expression[append] > *(',' > expression[append]) > closing;
+
+BOOST_SPIRIT_DEFINE(expression, union_chain, intersection, intersection_chain, comparison, sum,
+                    sum_chain, product, product_chain, power, power_chain, signed_primary,
+                    signed_parts, primary, primary_parts, called, arguments, bracketed)
+
+const auto blank_or_comment = x3::char_(" \t\r\n") | ('#' >> *(x3::char_ - '\n'));
+const auto end = x3::rule<struct end_tag>{"end"} = x3::eoi;
+const auto name = x3::rule<struct name_tag, std::string_view>{"name"} = name_token;
+const auto equals = x3::rule<struct equals_tag>{"'='"} = x3::lit('=');
+const auto comma = x3::rule<struct comma_tag>{"','"} = x3::lit(',');
+const auto range_start = x3::rule<struct range_start_tag>{"'['"} = x3::lit('[');
+const auto range_end = x3::rule<struct range_end_tag>{"']'"} = x3::lit(']');
+
+const auto set_parameter_name = [](auto& context) {
+    const std::string_view text = x3::_attr(context);
+    x3::_val(context).name = text;
+    x3::_val(context).span = building(context).span(text.data(), text.data() + text.size());
+};
+const auto set_initial = [](auto& context) { x3::_val(context).initial = x3::_attr(context); };
+const auto set_minimum = [](auto& context) { x3::_val(context).range = {x3::_attr(context), {}}; };
+const auto set_maximum = [](auto& context) { (*x3::_val(context).range)[1] = x3::_attr(context); };
+const auto set_step = [](auto& context) { x3::_val(context).step = x3::_attr(context); };
+const auto set_label = [](auto& context) {
+    const std::string_view quoted = x3::_attr(context);
+    x3::_val(context).label = quoted.substr(1, quoted.size() - 2);
+};
+
+const auto parameter = x3::rule<struct parameter_tag, ParameterDeclaration>{"parameter"} =
+    x3::omit[keyword("param")] > name[set_parameter_name] > equals > sum[set_initial] >
+    -(x3::omit[keyword("in")] > range_start > sum[set_minimum] > comma > sum[set_maximum] >
+      range_end) > -(x3::omit[keyword("step")] > sum[set_step]) > -label_token[set_label];
+
+template <class Parser, class Attribute>
+Parsed<Attribute> run(const Parser& parser, std::string_view text, base::SourceSpan span,
+                      Building& state) {
+    Place first = text.data() + span.begin;
+    const Place last = text.data() + span.end;
+    Attribute attribute{};
+    try {
+        if (x3::phrase_parse(first, last, x3::with<building_tag>(state)[parser > end],
+                             blank_or_comment, attribute)) {
+            return attribute;
+        }
+    } catch (const x3::expectation_failure<Place>& failure) {
+        return SyntaxError{static_cast<std::uint32_t>(failure.where() - text.data()),
+                           failure.which()};
+    }
+    return SyntaxError{span.begin, "expression"};
+}
+
+}  // namespace
+
+Parsed<ExpressionId> parse_expression(std::string_view text, base::SourceSpan span,
+                                      Program& program, base::Diagnostics& errors) {
+    Building state{text.data(), program, errors};
+    return run<decltype(expression), ExpressionId>(expression, text, span, state);
+}
+
+Parsed<ParameterDeclaration> parse_parameter(std::string_view text, base::SourceSpan span,
+                                             Program& program, base::Diagnostics& errors) {
+    Building state{text.data(), program, errors, true};
+    return run<decltype(parameter), ParameterDeclaration>(parameter, text, span, state);
+}
+
+}  // namespace formula

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The limits of the language. They are checked before or while the text is taken apart, so that no
+// formula can exhaust the stack or the memory.
+#pragma once
+
+#include <cstddef>
+
+namespace formula {
+
+inline constexpr std::size_t max_text_bytes = 65536;  ///< of the whole formula
+inline constexpr std::size_t max_brackets = 200;      ///< brackets that are open at one place
+inline constexpr std::size_t max_height = 1000;       ///< levels of the syntax tree
+inline constexpr std::size_t max_nodes = 20000;       ///< of the graph
+inline constexpr std::size_t max_objects = 10000;     ///< leaves of the field, repeated ones too
+inline constexpr std::size_t max_errors = 20;         ///< reported for one text
+
+}  // namespace formula

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "formula/lower.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "formula/built_in.h"
+#include "formula/lowering.h"
+#include "formula/parse.h"
+#include "formula/report.h"
+
+namespace formula {
+namespace {
+
+/// True if the name may be defined where the span is; reports why not.
+bool may_define(Lowering& lowering, const std::string& name, base::SourceSpan span) {
+    if (is_coordinate(name)) {
+        lowering.error(span, fmt::format("'{}' is a coordinate and cannot be redefined", name));
+        return false;
+    }
+    const auto found = lowering.names.find(name);
+    if (found == lowering.names.end()) return true;
+    const std::size_t line = base::line_column(lowering.text, found->second.span.begin).line;
+    lowering.error(
+        span, fmt::format("'{}' is already defined on line {}; choose another name", name, line));
+    return false;
+}
+
+void define(Lowering& lowering, const Definition& definition) {
+    Value value = lower_expression(lowering, definition.value);
+    if (!may_define(lowering, definition.name, definition.span)) return;
+    lowering.names[definition.name] = {std::move(value), definition.span};
+}
+
+void define(Lowering& lowering, const ParameterDeclaration& declaration) {
+    std::optional<field::Parameter> parameter = lower_parameter(lowering, declaration);
+    if (declaration.name.empty()) return;
+    if (!may_define(lowering, declaration.name, declaration.span)) return;
+    Value value;
+    if (parameter) {
+        value = lowering.field.graph.parameter(parameter->id);
+        lowering.field.parameters.push_back(*std::move(parameter));
+    }
+    lowering.names[declaration.name] = {std::move(value), declaration.span, true};
+}
+
+base::Diagnostics unused_names(const Lowering& lowering) {
+    base::Diagnostics warnings;
+    for (const auto& [name, binding] : lowering.names) {
+        if (binding.used) continue;
+        warnings.push_back(base::warning(
+            binding.span, fmt::format("the {} '{}' is never used",
+                                      binding.parameter ? "parameter" : "definition", name)));
+    }
+    return in_order(std::move(warnings));
+}
+
+}  // namespace
+
+base::Result<Lowered> lower(const Program& program, std::string_view text) {
+    Lowering lowering{program, text};
+    for (const Statement& statement : program.statements) {
+        std::visit([&](const auto& it) { define(lowering, it); }, statement);
+    }
+    const std::optional<FieldValue> root = as_field(lowering, program.result);
+    if (!root || base::has_errors(lowering.errors)) return in_order(std::move(lowering.errors));
+    lowering.field.root = root->id;
+    base::Diagnostics warnings = unused_names(lowering);
+    return Lowered{std::move(lowering.field), std::move(warnings)};
+}
+
+base::Result<Lowered> understand(std::string_view text) {
+    Reading reading = read(text);
+    if (!reading.program) return std::move(reading.errors);
+    base::Result<Lowered> lowered = lower(*reading.program, text);
+    if (reading.errors.empty()) return lowered;
+    base::Diagnostics errors = std::move(reading.errors);
+    for (base::Diagnostic& it : lowered.problems()) errors.push_back(std::move(it));
+    return in_order(std::move(errors));
+}
+
+}  // namespace formula

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Looking names up: definitions and parameters first, then what is built in.
+#include <fmt/format.h>
+
+#include <numbers>
+#include <vector>
+
+#include "formula/built_in.h"
+#include "formula/functions.h"
+#include "formula/lowering.h"
+#include "formula/suggest.h"
+
+namespace formula {
+namespace {
+
+/// Where a later statement defines this name, if one does.
+std::optional<base::SourceSpan> defined_later(const Lowering& lowering, std::string_view name) {
+    for (const Statement& statement : lowering.program.statements) {
+        const bool same = std::visit([&](const auto& it) { return it.name == name; }, statement);
+        if (same) return std::visit([](const auto& it) { return it.span; }, statement);
+    }
+    return std::nullopt;
+}
+
+/// True for names such as `xy` or `xyz`, which are meant as products.
+bool is_run_of_coordinates(std::string_view name) {
+    return name.size() > 1 && name.size() < 5 &&
+           name.find_first_not_of("xyz") == std::string_view::npos;
+}
+
+std::string spell_product(std::string_view name) {
+    std::string product(1, name[0]);
+    for (const char factor : name.substr(1)) (product += '*') += factor;
+    return product;
+}
+
+/// True for names such as `x2`.
+bool is_coordinate_and_number(std::string_view name) {
+    return name.size() > 1 && is_coordinate(name.substr(0, 1)) &&
+           name.substr(1).find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// True if the last line is `name = ...`: a definition that nothing follows.
+bool is_unfinished_definition(const Lowering& lowering, base::SourceSpan name) {
+    const auto* last = std::get_if<Comparison>(&lowering.program[lowering.program.result].node);
+    return last && last->relation == Relation::equal && lowering.span(last->left) == name;
+}
+
+std::string hint(const Lowering& lowering, std::string_view name, base::SourceSpan span) {
+    if (is_run_of_coordinates(name)) {
+        return fmt::format("; write '{}' for a product", spell_product(name));
+    }
+    if (is_coordinate_and_number(name)) {
+        return fmt::format("; write '{0}^{1}' for a power or '{0}*{1}' for a product", name[0],
+                           name.substr(1));
+    }
+    std::vector<std::string_view> candidates = built_in_names();
+    for (const auto& [known, binding] : lowering.names) candidates.push_back(known);
+    const std::string_view meant = nearest(name, candidates);
+    if (!meant.empty()) return fmt::format("; did you mean '{}'?", meant);
+    if (is_unfinished_definition(lowering, span)) {
+        return "; to define it, type an equation such as x^2 + y^2 + z^2 = 1 on the next line";
+    }
+    return "";
+}
+
+}  // namespace
+
+void report_unknown_name(Lowering& lowering, std::string_view name, base::SourceSpan span) {
+    const std::optional<base::SourceSpan> later = defined_later(lowering, name);
+    if (later) {
+        const std::size_t line = base::line_column(lowering.text, later->begin).line;
+        const bool own = line == base::line_column(lowering.text, span.begin).line;
+        lowering.error(
+            span, own ? fmt::format("'{}' is used in its own definition", name)
+                      : fmt::format("'{}' is defined further down, on line {}; move that line up",
+                                    name, line));
+        return;
+    }
+    lowering.error(span, fmt::format("unknown name '{}'{}", name, hint(lowering, name, span)));
+}
+
+std::optional<graph::NodeId> built_in_number(Lowering& lowering, std::string_view name) {
+    graph::Graph& graph = lowering.field.graph;
+    if (name == "x") return graph.variable(graph::variable_x);
+    if (name == "y") return graph.variable(graph::variable_y);
+    if (name == "z") return graph.variable(graph::variable_z);
+    if (name == "r") return radius(graph);
+    if (name == "t") return graph.parameter(graph::parameter_t);
+    if (name == "e") return graph.constant(std::numbers::e);
+    if (name == "pi") return graph.constant(std::numbers::pi);
+    if (name == "tau") return graph.constant(2 * std::numbers::pi);
+    return std::nullopt;
+}
+
+Value lower_name(Lowering& lowering, std::string_view name, base::SourceSpan span) {
+    const auto found = lowering.names.find(name);
+    if (found != lowering.names.end()) {
+        found->second.used = true;
+        return found->second.value;
+    }
+    if (const std::optional<graph::NodeId> number = built_in_number(lowering, name)) {
+        return *number;
+    }
+    if (is_callable(name)) {
+        lowering.error(span, fmt::format("'{}' needs its arguments in brackets; it is called '{}'",
+                                         name, signature(name)));
+    } else {
+        report_unknown_name(lowering, name, span);
+    }
+    return Nothing{};
+}
+
+}  // namespace formula

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "formula/parse.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "formula/characters.h"
+#include "formula/explain.h"
+#include "formula/grammar.h"
+#include "formula/limits.h"
+#include "formula/report.h"
+#include "formula/statements.h"
+
+namespace formula {
+namespace {
+
+/// Parses statement by statement into one program.
+struct Reader {
+    std::string_view text;
+    Program program;
+    base::Diagnostics errors;
+
+    /// What was parsed, or a Broken expression if the grammar or the actions found an error.
+    template <class T, class Parse>
+    T accept(const StatementText& statement, base::SourceSpan span, Parse parse, T broken) {
+        const std::size_t errors_before = errors.size();
+        Parsed<T> parsed = parse(text, span, program, errors);
+        if (const auto* failure = std::get_if<SyntaxError>(&parsed)) {
+            errors.push_back(explain(text, statement, *failure));
+        }
+        if (errors.size() > errors_before) return broken;
+        return std::get<T>(std::move(parsed));
+    }
+
+    ExpressionId broken(base::SourceSpan span) { return program.add(Broken{}, span); }
+
+    void add_definition(const StatementText& statement) {
+        const Token& name = statement.tokens[0];
+        const base::SourceSpan value{statement.tokens[1].span.end, statement.span().end};
+        const ExpressionId id = accept(statement, value, parse_expression, broken(value));
+        program.statements.push_back(Definition{std::string(name.text(text)), name.span, id});
+    }
+
+    void add_parameter(const StatementText& statement) {
+        ParameterDeclaration unknown;
+        if (statement.tokens.size() > 1 && statement.tokens[1].kind == Token::Kind::name) {
+            unknown.name = statement.tokens[1].text(text);
+            unknown.span = statement.tokens[1].span;
+        }
+        unknown.initial = broken(statement.span());
+        program.statements.push_back(accept(statement, statement.span(), parse_parameter, unknown));
+    }
+
+    void add(const StatementText& statement) {
+        switch (statement.kind) {
+            case StatementText::Kind::definition:
+                add_definition(statement);
+                break;
+            case StatementText::Kind::parameter:
+                add_parameter(statement);
+                break;
+            case StatementText::Kind::result:
+                program.result =
+                    accept(statement, statement.span(), parse_expression, broken(statement.span()));
+                break;
+        }
+    }
+
+    void check_result(std::span<const StatementText> statements) {
+        if (statements.empty()) {
+            errors.push_back(base::error(
+                {0, 0}, "the formula is empty; type an equation such as x^2 + y^2 + z^2 = 1"));
+        } else if (statements.back().kind != StatementText::Kind::result) {
+            const std::uint32_t end = statements.back().span().end;
+            errors.push_back(base::error(
+                {end, end},
+                "the formula has nothing to show; type an equation such as x^2 + y^2 + z^2 = 1 "
+                "below its parameters"));
+            program.result = broken({end, end});
+        }
+    }
+};
+
+}  // namespace
+
+Reading read(std::string_view text) {
+    if (text.size() > max_text_bytes) {
+        return {std::nullopt,
+                {base::error({max_text_bytes, max_text_bytes},
+                             fmt::format("the formula is longer than {} bytes", max_text_bytes))}};
+    }
+    base::Diagnostics errors = check_characters(text);
+    if (!errors.empty()) return {std::nullopt, std::move(errors)};
+    const std::vector<Token> tokens = tokenize(text);
+    errors = check_tokens(text, tokens);
+    if (!errors.empty()) return {std::nullopt, in_order(std::move(errors))};
+    Reader reader{text, {}, {}};
+    const std::vector<StatementText> statements = split(text, tokens);
+    for (const StatementText& statement : statements) reader.add(statement);
+    reader.check_result(statements);
+    if (statements.empty()) return {std::nullopt, std::move(reader.errors)};
+    return {std::move(reader.program), in_order(std::move(reader.errors))};
+}
+
+base::Result<Program> parse(std::string_view text) {
+    Reading reading = read(text);
+    if (!reading.errors.empty()) return std::move(reading.errors);
+    return *std::move(reading.program);
+}
+
+}  // namespace formula

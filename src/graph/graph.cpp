@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "graph/graph.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+namespace graph {
+namespace {
+
+std::size_t mix(std::size_t seed, std::uint64_t value) {
+    // The finaliser of splitmix64 over the running state.
+    std::uint64_t z = (seed ^ value) + 0x9E3779B97F4A7C15ULL;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+    return static_cast<std::size_t>(z ^ (z >> 31));
+}
+
+}  // namespace
+
+std::size_t Graph::Hash::operator()(const Node& node) const {
+    std::size_t seed = mix(0, static_cast<std::uint64_t>(node.op));
+    seed = mix(seed, std::bit_cast<std::uint64_t>(node.value));
+    seed = mix(seed, node.symbol);
+    for (NodeId argument : node.args()) seed = mix(seed, index(argument));
+    return seed;
+}
+
+bool Graph::Equal::operator()(const Node& a, const Node& b) const {
+    // By bits, so that 0 and -0 stay apart and NaN equals itself.
+    return a.op == b.op && a.symbol == b.symbol &&
+           std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value) &&
+           std::ranges::equal(a.args(), b.args());
+}
+
+Graph::Graph() {
+    for (const char* name : {"x", "y", "z"}) new_variable(name);
+    new_parameter("t");
+}
+
+NodeId Graph::intern(const Node& node) {
+    const auto [place, fresh] = ids_.try_emplace(node, static_cast<NodeId>(nodes_.size()));
+    if (fresh) nodes_.push_back(node);
+    return place->second;
+}
+
+NodeId Graph::constant(double value) {
+    return intern({.op = Op::constant, .value = value});
+}
+
+NodeId Graph::variable(VariableId id) {
+    assert(index(id) < variable_names_.size());
+    return intern({.op = Op::variable, .symbol = static_cast<std::uint32_t>(id)});
+}
+
+NodeId Graph::parameter(ParameterId id) {
+    assert(index(id) < parameter_names_.size());
+    return intern({.op = Op::parameter, .symbol = static_cast<std::uint32_t>(id)});
+}
+
+NodeId Graph::apply(Op op, std::span<const NodeId> arguments) {
+    assert(static_cast<int>(arguments.size()) == facts(op).arity && !arguments.empty());
+    Node node{.op = op};
+    std::ranges::copy(arguments, node.arguments.begin());
+    return intern(node);
+}
+
+VariableId Graph::new_variable(std::string name) {
+    variable_names_.push_back(std::move(name));
+    return static_cast<VariableId>(variable_names_.size() - 1);
+}
+
+ParameterId Graph::new_parameter(std::string name) {
+    parameter_names_.push_back(std::move(name));
+    return static_cast<ParameterId>(parameter_names_.size() - 1);
+}
+
+bool Graph::is_constant(NodeId id, double value) const {
+    const Node& node = nodes_[index(id)];
+    return node.op == Op::constant && node.value == value;
+}
+
+std::vector<NodeId> reachable(const Graph& graph, std::span<const NodeId> roots) {
+    std::vector<bool> needed(graph.size(), false);
+    for (NodeId root : roots) needed[index(root)] = true;
+    std::vector<NodeId> order;
+    for (std::size_t i = graph.size(); i-- > 0;) {
+        if (!needed[i]) continue;
+        const auto id = static_cast<NodeId>(i);
+        order.push_back(id);
+        for (NodeId argument : graph[id].args()) needed[index(argument)] = true;
+    }
+    std::ranges::reverse(order);
+    return order;
+}
+
+std::vector<bool> depends_on_variables(const Graph& graph) {
+    std::vector<bool> depends(graph.size(), false);
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+        const Node& node = graph[static_cast<NodeId>(i)];
+        depends[i] = node.op == Op::variable ||
+                     std::ranges::any_of(node.args(), [&](NodeId a) { return depends[index(a)]; });
+    }
+    return depends;
+}
+
+}  // namespace graph

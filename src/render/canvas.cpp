@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Frame buffers, drawing into them, and reading them back.
+#include "render/canvas.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace render {
+
+namespace {
+
+/// Binding points of the uniform blocks, as the shaders declare them.
+constexpr GLuint frame_binding = 0;
+constexpr GLuint values_binding = 1;
+
+/// The most that is read back with one call: its size must fit a GLsizei.
+constexpr long long most_bytes_read = 64LL << 20;
+
+GLuint make_texture(const Gl& gl, GLenum format, int width, int height) {
+    GLuint texture = 0;
+    gl.CreateTextures(GL_TEXTURE_2D, 1, &texture);
+    gl.TextureStorage2D(texture, 1, format, width, height);
+    gl.TextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.TextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl.TextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+base::Status check_size(const Gl& gl, int width, int height) {
+    if (width <= 0 || height <= 0)
+        return base::error(fmt::format(
+            "a picture of {}x{} pixels is empty; both sides must be at least 1", width, height));
+    GLint texture = 0;
+    std::array<GLint, 2> viewport{};
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    const int largest = std::min({texture, viewport[0], viewport[1]});
+    if (width > largest || height > largest)
+        return base::error(
+            fmt::format("{}x{} pixels are more than the driver can draw at once; neither side may "
+                        "be above {}",
+                        width, height, largest));
+    return base::Done{};
+}
+
+void forget_errors(const Gl& gl) {
+    // A lost context reports an error for ever, hence the bound.
+    for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) continue;
+}
+
+// What may be left over from other users of the context and would change the pixels.
+void set_state(const Gl& gl) {
+    for (GLenum capability :
+         {GL_BLEND, GL_COLOR_LOGIC_OP, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_FRAMEBUFFER_SRGB,
+          GL_MULTISAMPLE, GL_RASTERIZER_DISCARD, GL_SAMPLE_MASK, GL_STENCIL_TEST})
+        gl.Disable(capability);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+// Reads rows in order, so the first row of the texture becomes the top of the image.
+template <class Value, int Channels>
+image::Image<Value, Channels> read(const Gl& gl, GLuint texture, int width, int height,
+                                   GLenum format, GLenum type) {
+    if (texture == 0) return {};
+    image::Image<Value, Channels> image(width, height);
+    const long long row_bytes = static_cast<long long>(width) * Channels * sizeof(Value);
+    const int most_rows = static_cast<int>(std::max(1LL, most_bytes_read / row_bytes));
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (int y = 0; y < height; y += most_rows) {
+        const int rows = std::min(most_rows, height - y);
+        gl.GetTextureSubImage(texture, 0, 0, y, 0, width, rows, 1, format, type,
+                              static_cast<GLsizei>(row_bytes * rows), image.at(0, y));
+    }
+    return image;
+}
+
+}  // namespace
+
+base::Result<Canvas> Canvas::create(const Gl& gl, int width, int height,
+                                    const shader::Outputs& outputs) {
+    if (auto size = check_size(gl, width, height); !size) return size.problems();
+    forget_errors(gl);
+
+    Canvas canvas;
+    canvas.gl_ = &gl;
+    canvas.width_ = width;
+    canvas.height_ = height;
+    gl.CreateFramebuffers(1, &canvas.framebuffer_);
+    gl.CreateVertexArrays(1, &canvas.vertex_array_);
+    gl.CreateBuffers(1, &canvas.frame_buffer_object_);
+    gl.CreateBuffers(1, &canvas.values_buffer_object_);
+
+    std::array<GLenum, 3> draw_buffers{GL_NONE, GL_NONE, GL_NONE};
+    const auto attach = [&](GLuint location, GLenum format) {
+        const GLuint texture = make_texture(gl, format, width, height);
+        const GLenum attachment = GL_COLOR_ATTACHMENT0 + location;
+        gl.NamedFramebufferTexture(canvas.framebuffer_, attachment, texture, 0);
+        draw_buffers[location] = attachment;
+        return texture;
+    };
+    if (outputs.picture) canvas.picture_ = attach(0, GL_RGBA8);
+    if (outputs.geometry) canvas.geometry_ = attach(1, GL_RGBA32F);
+    if (outputs.normal || outputs.count) canvas.normal_ = attach(2, GL_RGBA32F);
+    gl.NamedFramebufferDrawBuffers(canvas.framebuffer_, draw_buffers.size(), draw_buffers.data());
+
+    const GLenum problem = gl.GetError();
+    if (problem == GL_OUT_OF_MEMORY)
+        return base::error(fmt::format(
+            "the driver has no memory for {}x{} pixels; draw a smaller picture", width, height));
+    const GLenum status = gl.CheckNamedFramebufferStatus(canvas.framebuffer_, GL_DRAW_FRAMEBUFFER);
+    if (problem != GL_NO_ERROR || status != GL_FRAMEBUFFER_COMPLETE)
+        return base::error(
+            fmt::format("the driver cannot make a frame buffer of {}x{} pixels (OpenGL error "
+                        "{:#06x}, status {:#06x})",
+                        width, height, problem, status));
+    return canvas;
+}
+
+Canvas::Canvas(Canvas&& other) noexcept { *this = std::move(other); }
+
+Canvas& Canvas::operator=(Canvas&& other) noexcept {
+    std::swap(gl_, other.gl_);
+    std::swap(width_, other.width_);
+    std::swap(height_, other.height_);
+    std::swap(framebuffer_, other.framebuffer_);
+    std::swap(vertex_array_, other.vertex_array_);
+    std::swap(picture_, other.picture_);
+    std::swap(geometry_, other.geometry_);
+    std::swap(normal_, other.normal_);
+    std::swap(frame_buffer_object_, other.frame_buffer_object_);
+    std::swap(values_buffer_object_, other.values_buffer_object_);
+    return *this;
+}
+
+Canvas::~Canvas() {
+    if (!gl_) return;
+    for (GLuint* texture : {&picture_, &geometry_, &normal_}) gl_->DeleteTextures(1, texture);
+    for (GLuint* buffer : {&frame_buffer_object_, &values_buffer_object_})
+        gl_->DeleteBuffers(1, buffer);
+    gl_->DeleteVertexArrays(1, &vertex_array_);
+    gl_->DeleteFramebuffers(1, &framebuffer_);
+}
+
+int Canvas::width() const { return width_; }
+int Canvas::height() const { return height_; }
+GLuint Canvas::picture_texture() const { return picture_; }
+
+void Canvas::draw(const Program& program, const Frame& frame, std::span<const float> field_values,
+                  const Tile& tile) {
+    const Gl& gl = *gl_;
+    // New storage each time: tiles that are still being drawn keep the old.
+    gl.NamedBufferData(frame_buffer_object_, sizeof frame, &frame, GL_STREAM_DRAW);
+    // The block holds whole vec4 and at least one of them.
+    std::vector<float> values(field_values.begin(), field_values.end());
+    values.resize(std::max<std::size_t>(4, (values.size() + 3) / 4 * 4));
+    gl.NamedBufferData(values_buffer_object_,
+                       static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data(),
+                       GL_STREAM_DRAW);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer_object_);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, values_binding, values_buffer_object_);
+
+    set_state(gl);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
+    gl.Viewport(0, 0, width_, height_);
+    gl.Scissor(tile.x, tile.y, tile.width, tile.height);
+    gl.UseProgram(program.name());
+    gl.BindVertexArray(vertex_array_);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+
+    // Leave nothing behind that a user interface would trip over.
+    gl.BindVertexArray(0);
+    gl.UseProgram(0);
+    gl.Disable(GL_SCISSOR_TEST);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+}
+
+void Canvas::finish() { gl_->Finish(); }
+
+image::Picture Canvas::read_picture() const {
+    return read<std::uint8_t, 3>(*gl_, picture_, width_, height_, GL_RGB, GL_UNSIGNED_BYTE);
+}
+
+image::Image<float, 4> Canvas::read_geometry() const {
+    return read<float, 4>(*gl_, geometry_, width_, height_, GL_RGBA, GL_FLOAT);
+}
+
+image::Image<float, 4> Canvas::read_normal() const {
+    return read<float, 4>(*gl_, normal_, width_, height_, GL_RGBA, GL_FLOAT);
+}
+
+}  // namespace render

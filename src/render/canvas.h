@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Textures that a program draws into, and reading them back.
+#pragma once
+
+#include <span>
+
+#include "base/result.h"
+#include "image/image.h"
+#include "render/frame.h"
+#include "render/gl.h"
+#include "render/program.h"
+
+namespace render {
+
+/// A part of a canvas, in pixels from its left and top.
+struct Tile {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// A frame buffer with one texture per output. Row 0 of the textures is the top of the picture.
+/// Owns GL objects: its context must be current when it is made, used and destroyed.
+class Canvas {
+public:
+    /// RGBA8 for the picture, RGBA32F for geometry and normal, as far as they are asked for (the
+    /// count of evaluations is a part of normal). What a size is refused for is said in the error.
+    static base::Result<Canvas> create(const Gl& gl, int width, int height,
+                                       const shader::Outputs& outputs);
+    Canvas(Canvas&&) noexcept;
+    Canvas& operator=(Canvas&&) noexcept;
+    ~Canvas();
+
+    int width() const;
+    int height() const;
+    /// The texture of the picture, for showing it.
+    GLuint picture_texture() const;
+
+    /// Draws one tile of the frame with this program; asynchronous. The canvas's pixel (0, 0) is
+    /// the full picture's pixel frame.picture.zw. Leaves the default frame buffer bound and the
+    /// scissor test off.
+    void draw(const Program& program, const Frame& frame, std::span<const float> field_values,
+              const Tile& tile);
+    /// Waits until everything drawn is there.
+    void finish();
+
+    /// What was drawn; waits for it. Empty where the canvas has no such texture.
+    image::Picture read_picture() const;
+    /// Depth, steps, status, object id.
+    image::Image<float, 4> read_geometry() const;
+    /// Normal and evaluations.
+    image::Image<float, 4> read_normal() const;
+
+private:
+    Canvas() = default;
+
+    const Gl* gl_ = nullptr;
+    int width_ = 0, height_ = 0;
+    GLuint framebuffer_ = 0, vertex_array_ = 0;
+    GLuint picture_ = 0, geometry_ = 0, normal_ = 0;
+    GLuint frame_buffer_object_ = 0, values_buffer_object_ = 0;
+};
+
+}  // namespace render

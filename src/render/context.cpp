@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What all contexts have in common.
+#include "render/context.h"
+
+namespace render {
+
+std::string Context::renderer() const {
+    const GLubyte* text = gl_.GetString(GL_RENDERER);
+    return text ? reinterpret_cast<const char*>(text) : "unknown";
+}
+
+int Context::largest_size() const {
+    GLint size = 0;
+    gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
+    return size;
+}
+
+}  // namespace render

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The numbers of one frame, laid out as the uniform block `Frame` of shaders/common/frame.glsl.
+#pragma once
+
+#include <array>
+
+#include <glm/vec4.hpp>
+
+#include "scene/document.h"
+
+namespace render {
+
+inline constexpr int max_lights = 8;
+inline constexpr int max_materials = 16;
+
+/// The full picture's size, and the part of it that is drawn, in pixels from the left and the top.
+struct View {
+    int width = 1280;
+    int height = 720;
+    int x = 0;
+    int y = 0;
+    int region_width = 1280;
+    int region_height = 720;
+};
+/// The full picture.
+View whole(int width, int height);
+
+/// std140: only vec4. Lights and materials beyond the maximum are dropped.
+struct Frame {
+    glm::vec4 eye;                 ///< xyz, tan(fov / 2)
+    glm::vec4 right, up, forward;  ///< the camera's axes u, v, w
+    glm::vec4 picture;             ///< width, height of the full picture; x, y of the part drawn
+    glm::vec4 bounds_centre;       ///< xyz, distance at which rays end
+    glm::vec4 bounds_half;         ///< xyz (a sphere's radius in all), height of the ground grid
+    glm::vec4 march;               ///< steps, Lipschitz scale, epsilon, shadow factor
+    glm::vec4 sky;                 ///< rgb, number of lights
+    glm::vec4 ground;              ///< rgb, number of materials
+    glm::vec4 background_top;      ///< rgb, exposure
+    glm::vec4 background_bottom;   ///< rgb, unused
+    std::array<glm::vec4, max_lights> light_direction;        ///< unit, towards the light; unused
+    std::array<glm::vec4, max_lights> light_colour;           ///< rgb times intensity; unused
+    std::array<glm::vec4, max_materials> material;            ///< rgb, specular strength
+    std::array<glm::vec4, max_materials> material_shininess;  ///< exponent, three unused
+};
+
+/// Computed in double and rounded once. Light directions become unit vectors (a zero one stays
+/// zero: no light). Rays end where they surely have left the bounds, or at scene::far_distance; the
+/// ground grid lies at the bottom of the bounds, or at -2. No materials means one by default.
+Frame frame(const scene::Document& document, const scene::Camera& camera, const View& view);
+
+}  // namespace render

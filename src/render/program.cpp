@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Compiling and linking.
+#include "render/program.h"
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "render/shader_log.h"
+
+namespace render {
+
+namespace {
+
+/// A shader object for as long as its program is being linked.
+class Shader {
+public:
+    Shader(const Gl& gl, GLenum stage) : gl_(&gl), name_(gl.CreateShader(stage)) {}
+    Shader(const Shader&) = delete;
+    Shader& operator=(const Shader&) = delete;
+    ~Shader() { gl_->DeleteShader(name_); }
+
+    GLuint name() const { return name_; }
+
+private:
+    const Gl* gl_;
+    GLuint name_;
+};
+
+std::string shader_log(const Gl& gl, GLuint shader) {
+    GLint length = 0;
+    gl.GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(length), '\0');
+    if (length > 0) gl.GetShaderInfoLog(shader, length, nullptr, log.data());
+    return log;
+}
+
+std::string program_log(const Gl& gl, GLuint program) {
+    GLint length = 0;
+    gl.GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(length), '\0');
+    if (length > 0) gl.GetProgramInfoLog(program, length, nullptr, log.data());
+    return log;
+}
+
+base::Status compile(const Gl& gl, const Shader& shader, std::string_view stage,
+                     const std::string& source) {
+    const char* text = source.data();
+    const auto length = static_cast<GLint>(source.size());
+    gl.ShaderSource(shader.name(), 1, &text, &length);
+    gl.CompileShader(shader.name());
+    GLint compiled = GL_FALSE;
+    gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
+    if (compiled) return base::Done{};
+    return base::error(fmt::format("the OpenGL driver rejects the {} shader:\n{}", stage,
+                                   annotate(shader_log(gl, shader.name()), source)));
+}
+
+}  // namespace
+
+base::Result<Program> Program::link(const Gl& gl, const shader::ProgramSource& source) {
+    const Shader vertex(gl, GL_VERTEX_SHADER);
+    const Shader fragment(gl, GL_FRAGMENT_SHADER);
+    if (auto done = compile(gl, vertex, "vertex", source.vertex); !done) return done.problems();
+    if (auto done = compile(gl, fragment, "fragment", source.fragment); !done)
+        return done.problems();
+
+    Program program(gl, gl.CreateProgram());
+    for (const Shader* shader : {&vertex, &fragment})
+        gl.AttachShader(program.name_, shader->name());
+    gl.LinkProgram(program.name_);
+    for (const Shader* shader : {&vertex, &fragment})
+        gl.DetachShader(program.name_, shader->name());
+    GLint linked = GL_FALSE;
+    gl.GetProgramiv(program.name_, GL_LINK_STATUS, &linked);
+    if (!linked)
+        return base::error(fmt::format("the OpenGL driver cannot link the program:\n{}",
+                                       annotate(program_log(gl, program.name_), source.fragment)));
+    return program;
+}
+
+Program& Program::operator=(Program&& other) noexcept {
+    std::swap(gl_, other.gl_);
+    std::swap(name_, other.name_);
+    return *this;
+}
+
+Program::~Program() {
+    if (name_ != 0) gl_->DeleteProgram(name_);
+}
+
+}  // namespace render

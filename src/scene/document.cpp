@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "scene/document.h"
+
+namespace scene {
+
+Camera camera_of(const Document& document, double aspect) {
+    return document.camera ? *document.camera : frame_all(document.bounds, aspect);
+}
+
+}  // namespace scene

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Joins parts of shaders/ and generated code into one flat text.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace shader {
+
+/// A program's text as it grows. Every part stands in it once, after the parts that it includes;
+/// comments and blank lines are left out.
+class Assembly {
+public:
+    /// Adds a part by its path below shaders/, which must exist.
+    void add_part(std::string_view path);
+    /// Adds generated code.
+    void add_code(std::string_view code) { text_ += code; }
+
+    const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+    std::set<std::string, std::less<>> added_;
+};
+
+}  // namespace shader

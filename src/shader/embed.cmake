@@ -1,0 +1,12 @@
+# Writes OUTPUT, a C++ source with the texts of all parts below FOLDER: cmake -DOUTPUT= -DFOLDER= -P
+file(GLOB_RECURSE parts RELATIVE ${FOLDER} ${FOLDER}/*.glsl)
+list(SORT parts)
+set(text "// Generated from shaders/ by embed.cmake.\n#include \"shader/parts.h\"\n\n")
+string(APPEND text "namespace shader {\n\nconst std::map<std::string, std::string, std::less<>>& parts() {\n")
+string(APPEND text "    static const std::map<std::string, std::string, std::less<>> table = {\n")
+foreach(part ${parts})
+  file(READ ${FOLDER}/${part} content)
+  string(APPEND text "        {\"${part}\", R\"glsl(${content})glsl\"},\n")
+endforeach()
+string(APPEND text "    };\n    return table;\n}\n\n}  // namespace shader\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "shader/expression_glsl.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "graph/print.h"
+
+namespace shader {
+
+using graph::NodeId;
+using graph::Op;
+
+std::string literal(double value) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    std::string text = graph::shortest(std::clamp(value, -largest, largest));
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text.starts_with('-') ? '(' + text + ')' : text;
+}
+
+std::string FieldValues::place(const FieldValue& value) {
+    list_.push_back(value);
+    const std::size_t i = list_.size() - 1;
+    return fmt::format("field_values[{}].{}", i / 4, "xyzw"[i % 4]);
+}
+
+std::string FieldValues::expression(NodeId node) {
+    const auto known = places_.find(node);
+    if (known != places_.end()) return known->second;
+    expressions_.push_back(node);
+    return places_[node] = place({FieldValue::What::expression, {}});
+}
+
+std::string FieldValues::bound(FieldValue::What what, field::FieldId leaf) {
+    return place({what, leaf});
+}
+
+std::string ExpressionWriter::spelling(NodeId id) {
+    const graph::Node& node = graph_[id];
+    if (node.op == Op::constant) return literal(node.value);
+    if (node.op == Op::variable) return names_.at(static_cast<graph::VariableId>(node.symbol));
+    if (!depends_[index(id)]) return values_.expression(id);
+    return written_.at(id);
+}
+
+std::string ExpressionWriter::call(const graph::Node& node) {
+    const graph::OperatorFacts& facts = graph::facts(node.op);
+    if (!facts.glsl_file.empty()) {
+        operator_parts_.insert(fmt::format("operator/{}.glsl", facts.glsl_file));
+    }
+    std::vector<std::string> arguments;
+    for (NodeId argument : node.args()) arguments.push_back(spelling(argument));
+    const bool is_sign = facts.glsl.find_first_not_of("+-*/") == std::string_view::npos;
+    if (is_sign && facts.arity == 1) return fmt::format("{}{}", facts.glsl, arguments[0]);
+    if (is_sign) return fmt::format("{} {} {}", arguments[0], facts.glsl, arguments[1]);
+    return fmt::format("{}({})", facts.glsl, fmt::join(arguments, ", "));
+}
+
+std::string ExpressionWriter::statements(std::span<const NodeId> roots, std::string_view indent) {
+    std::string text;
+    for (NodeId id : reachable(graph_, roots)) {
+        const graph::Node& node = graph_[id];
+        if (node.args().empty() || !depends_[index(id)] || written_.contains(id)) continue;
+        const std::string right = call(node);
+        const std::string name = fmt::format("n{}", count_++);
+        text += fmt::format("{}real {} = {};\n", indent, name, right);
+        written_[id] = name;
+    }
+    return text;
+}
+
+}  // namespace shader

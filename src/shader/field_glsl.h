@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The GLSL functions of a field: what tracers and shading ask of it.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "shader/program_source.h"
+
+namespace shader {
+
+/// Generated code, and what it needs.
+struct FieldGlsl {
+    std::string code;
+    std::set<std::string> operator_parts;  ///< below shaders/, to stand before the code
+    std::set<std::string> leaf_parts;      ///< likewise
+    std::vector<FieldValue> values;
+    eval::Tape expressions;  ///< those among the values, in their order
+    bool has_iterations = false;
+};
+
+/// Writes, for the tree and each leaf (object 0, 1, ... from left to right):
+///   zs_has_edges                    whether a leaf may be undefined somewhere
+///   void field_start()              before a ray begins
+///   Answer field(p, d)              the answer of the whole tree
+///   void field_accept()             after the ray has gone on to the point last asked for
+///   real3 object_gradient(i, p, h)  a leaf's gradient; by differences over h if it is an iteration
+///   real object_distance(i, p)      an iteration's value; only if there are iterations
+/// The field's graph gets the derivatives' nodes, hence the copy.
+FieldGlsl field_glsl(field::Field field, bool count_evaluations);
+
+}  // namespace shader

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "shader/program_source.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "shader/assembly.h"
+#include "shader/field_glsl.h"
+#include "shader/parts.h"
+
+namespace shader {
+namespace {
+
+/// A tracer: its name, and the file that says how far a formula lets a ray go.
+struct Tracer {
+    TracerName name;
+    std::string_view step_part;
+};
+
+constexpr std::array<Tracer, 3> table{{
+    {{"auto", "certified steps from bounds of the first and second derivative, first order where "
+              "those are too large (default)"},
+     "step/auto.glsl"},
+    {{"sphere", "sphere tracing: the value over the region's Lipschitz constant"},
+     "step/sphere.glsl"},
+    {{"first-order", "the value over the gradient at the point: fast, may miss surfaces"},
+     "step/first_order.glsl"},
+}};
+
+std::string_view step_part(std::string_view tracer) {
+    const auto found = std::ranges::find(table, tracer, [](const Tracer& t) { return t.name.name; });
+    return found == table.end() ? table[0].step_part : found->step_part;
+}
+
+std::string outputs_code(const Features& features) {
+    const Outputs& outputs = features.outputs;
+    std::string declarations, body;
+    if (outputs.picture) {
+        declarations += "layout(location = 0) out vec4 picture_out;\n";
+        body += "    picture_out = vec4(pixel_colour(hit, o, d, n), 1.0);\n";
+    }
+    if (outputs.geometry) {
+        declarations += "layout(location = 1) out vec4 geometry_out;\n";
+        body +=
+            "    float depth = hit.status == zs_miss ? uintBitsToFloat(0x7f800000u) : hit.t;\n"
+            "    geometry_out = vec4(depth, float(hit.steps), float(hit.status), "
+            "float(hit.object));\n";
+    }
+    if (outputs.normal) {
+        declarations += "layout(location = 2) out vec4 normal_out;\n";
+        body += fmt::format("    normal_out = vec4(n, {});\n",
+                            outputs.count ? "float(primary_evaluations)" : "0.0");
+    }
+    return declarations + "void write_pixel(Trace hit, real3 o, real3 d, real3 n) {\n" +
+           (outputs.count ? "    int primary_evaluations = zs_evaluations;\n" : "") + body + "}\n";
+}
+
+void add_picture_parts(Assembly& assembly, const Features& features) {
+    if (features.show_steps) {
+        assembly.add_part("output/steps.glsl");
+        return;
+    }
+    assembly.add_part(features.shadows ? "light/soft_shadow.glsl" : "light/visibility_all.glsl");
+    assembly.add_part("light/blinn_phong.glsl");
+    assembly.add_part("light/background.glsl");
+    assembly.add_part(features.grid ? "ground/grid.glsl" : "ground/none.glsl");
+    assembly.add_part("output/shaded.glsl");
+}
+
+}  // namespace
+
+std::vector<TracerName> tracers() {
+    std::vector<TracerName> names;
+    for (const Tracer& tracer : table) names.push_back(tracer.name);
+    return names;
+}
+
+ProgramSource program_source(const field::Field& field, const Features& features) {
+    FieldGlsl generated = field_glsl(field, features.outputs.count);
+    Assembly assembly;
+    assembly.add_code("#version 450 core\n");
+    assembly.add_part("common/real.glsl");
+    assembly.add_part("common/frame.glsl");
+    if (!generated.values.empty()) {
+        assembly.add_code(
+            fmt::format("layout(std140, binding = 1) uniform Field {{ vec4 field_values[{}]; }};\n",
+                        (generated.values.size() + 3) / 4));
+    }
+    assembly.add_part("common/answer.glsl");
+    for (const std::string& part : generated.operator_parts) assembly.add_part(part);
+    assembly.add_part(step_part(features.tracer));
+    for (const std::string& part : generated.leaf_parts) assembly.add_part(part);
+    assembly.add_code(generated.code);
+    assembly.add_part(features.bounds_sphere ? "region/sphere.glsl"
+                      : features.bounds_box  ? "region/box.glsl"
+                                             : "region/none.glsl");
+    assembly.add_part("tracer/march.glsl");
+    if (generated.has_iterations) assembly.add_part("normal/differences.glsl");
+    assembly.add_part("normal/normal.glsl");
+    if (features.outputs.picture) add_picture_parts(assembly, features);
+    assembly.add_code(outputs_code(features));
+    assembly.add_part("output/fragment.glsl");
+    return {parts().at("output/vertex.glsl"), assembly.text(), std::move(generated.values),
+            std::move(generated.expressions)};
+}
+
+}  // namespace shader

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The text of a program that draws a scene, joined from the field's generated functions and the
+// parts of shaders/ that the scene uses.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "eval/tape.h"
+#include "field/field.h"
+
+namespace shader {
+
+/// What the program writes for each pixel, each into its own colour attachment:
+/// picture (location 0) sRGB-encoded colour, alpha 1;
+/// geometry (location 1) depth along the unit ray in world units (+infinity for a miss), steps of
+/// the primary ray, status (see Status), object id or -1;
+/// normal (location 2) unit normal facing the eye, 0 for a miss; and evaluations of the field.
+struct Outputs {
+    bool picture = true;
+    bool geometry = false;
+    bool normal = false;
+    bool count = false;  ///< count the evaluations of primary rays: slower
+
+    friend bool operator==(const Outputs&, const Outputs&) = default;
+};
+
+/// The third component of the geometry output.
+enum class Status { miss = 0, hit = 1, unresolved = 2 };
+
+/// What is switched on, as far as it changes the program.
+struct Features {
+    std::string tracer = "auto";
+    bool bounds_sphere = true;  ///< otherwise bounds_box, or none
+    bool bounds_box = false;
+    bool shadows = true;
+    bool ambient_occlusion = true;
+    bool grid = false;
+    bool show_steps = false;
+    Outputs outputs;
+
+    friend bool operator==(const Features&, const Features&) = default;
+};
+
+/// A number that the CPU computes from the parameters and hands to the program.
+struct FieldValue {
+    enum class What {
+        expression,         ///< the next root of ProgramSource::expressions
+        inverse_lipschitz,  ///< 1 / sup |grad f| of the leaf over the region; 0 if unbounded
+        second_derivative,  ///< sup |d2f/dt2| of the leaf over the region; negative if unbounded
+        first_order,        ///< 1 where the leaf is stiff: the first-order step is used, else 0
+    };
+    What what = What::expression;
+    field::FieldId leaf{};  ///< unless it is an expression
+};
+
+struct ProgramSource {
+    std::string vertex;
+    std::string fragment;
+    /// In the order of the uniform block's floats (`field_values`, four to a vec4).
+    std::vector<FieldValue> field_values;
+    /// What does not depend on the point, computed once a frame from the parameters.
+    eval::Tape expressions;
+};
+
+/// Names of tracers for Features::tracer, with a sentence each for help.
+struct TracerName {
+    std::string_view name;
+    std::string_view summary;
+};
+std::vector<TracerName> tracers();
+
+/// The program's text. Deterministic. The field must have passed through the passes.
+ProgramSource program_source(const field::Field& field, const Features& features);
+
+}  // namespace shader

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "studio/compiler_thread.h"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "compile/compile.h"
+#include "image/png.h"
+#include "render/canvas.h"
+#include "render/frame.h"
+#include "render/still.h"
+
+namespace studio {
+namespace {
+
+/// Links, and draws a few pixels: drivers translate a program when it is used for the first time,
+/// and that must not happen on the window's thread.
+base::Result<std::unique_ptr<render::Program>> link_and_warm(
+    const render::Gl& gl, const shader::ProgramSource& source, const scene::Document& document,
+    const std::vector<float>& field_values) {
+    constexpr int size = 32;
+    auto linked = render::Program::link(gl, source);
+    if (!linked) return linked.problems();
+    auto program = std::make_unique<render::Program>(std::move(*linked));
+    auto canvas =
+        render::Canvas::create(gl, size, size, {.picture = true, .geometry = true});
+    if (!canvas) return canvas.problems();
+    const render::Frame frame =
+        render::frame(document, scene::camera_of(document, 1), render::whole(size, size));
+    canvas->draw(*program, frame, field_values, {0, 0, size, size});
+    canvas->finish();
+    return program;
+}
+
+/// Later news win, but a program that has not been taken yet must not get lost.
+void merge(std::optional<BuiltScene>& old, BuiltScene scene) {
+    if (old && !scene.program) scene.program = std::move(old->program);
+    if (old && !scene.parameters) scene.parameters = std::move(old->parameters);
+    if (old && !scene.field_values) {
+        scene.field_values = std::move(old->field_values);
+        scene.bounds = old->bounds;
+    }
+    old = std::move(scene);
+}
+
+}  // namespace
+
+CompilerThread::CompilerThread(render::Context& context, std::function<void()> wake)
+    : context_(context),
+      wake_(std::move(wake)),
+      builder_([this](const shader::ProgramSource& source, const scene::Document& document,
+                      const std::vector<float>& field_values) {
+          return link_and_warm(context_.gl(), source, document, field_values);
+      }),
+      thread_([this] { run(); }) {}
+
+CompilerThread::~CompilerThread() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    wanted_.notify_one();
+    thread_.join();
+}
+
+void CompilerThread::request(const scene::Document& document) {
+    {
+        const std::lock_guard lock(mutex_);
+        request_ = document;
+    }
+    wanted_.notify_one();
+}
+
+void CompilerThread::request_still(StillRequest still) {
+    {
+        const std::lock_guard lock(mutex_);
+        still_requests_.push_back(std::move(still));
+    }
+    wanted_.notify_one();
+}
+
+std::optional<BuiltScene> CompilerThread::take_scene() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(scene_, std::nullopt);
+}
+
+std::vector<StillAnswer> CompilerThread::take_stills() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(still_answers_, {});
+}
+
+CompilerThread::Activity CompilerThread::activity() const {
+    const std::lock_guard lock(mutex_);
+    if (activity_ == Activity::idle && request_) return Activity::compiling;
+    if (activity_ == Activity::idle && !still_requests_.empty()) return Activity::drawing_still;
+    return activity_;
+}
+
+void CompilerThread::run() {
+    context_.make_current();
+    while (serve()) wake_();
+    context_.release();
+}
+
+/// Waits for one request and answers it. False when the thread shall end.
+bool CompilerThread::serve() {
+    std::unique_lock lock(mutex_);
+    activity_ = Activity::idle;
+    wanted_.wait(lock, [&] { return stop_ || request_ || !still_requests_.empty(); });
+    if (stop_) return false;
+    if (request_) {
+        activity_ = Activity::compiling;
+        const scene::Document document = *std::exchange(request_, std::nullopt);
+        lock.unlock();
+        build(document);
+    } else {
+        activity_ = Activity::drawing_still;
+        const StillRequest still = std::move(still_requests_.front());
+        still_requests_.pop_front();
+        lock.unlock();
+        const auto start = std::chrono::steady_clock::now();
+        base::Status status = draw(still);
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        lock.lock();
+        still_answers_.push_back({still.file, std::move(status), spent.count()});
+        lock.unlock();
+    }
+    lock.lock();
+    activity_ = Activity::idle;
+    return true;
+}
+
+void CompilerThread::build(const scene::Document& document) {
+    const auto superseded = [&] {
+        const std::lock_guard lock(mutex_);
+        return stop_ || (request_ && request_->formula != document.formula);
+    };
+    auto built = builder_.build(document, superseded);
+    if (!built) return;
+    // The other context may use a program only once the commands that made it are done.
+    context_.gl().Finish();
+    publish(std::move(*built));
+}
+
+void CompilerThread::publish(BuiltScene scene) {
+    const std::lock_guard lock(mutex_);
+    merge(scene_, std::move(scene));
+}
+
+base::Status CompilerThread::draw(const StillRequest& still) {
+    try {
+        const compile::Formula* formula = builder_.formula();
+        if (!formula) {
+            return base::error("there is no picture yet; correct the formula, and try again");
+        }
+        constexpr shader::Outputs outputs{.picture = true};
+        const shader::ProgramSource source =
+            compile::program_source(*formula, still.document, outputs);
+        const std::vector<float> values = compile::field_values(*formula, source, still.document);
+        const auto frame_of = [&](const render::View& view) {
+            return render::frame(still.document, still.camera, view);
+        };
+        auto drawn = render::draw_still(context_, source, values, frame_of,
+                                        render::whole(still.width, still.height), outputs);
+        if (!drawn) return drawn.problems();
+        return image::write_png(still.file, drawn->picture);
+    } catch (const std::exception& exception) {
+        return base::error(fmt::format("internal error while drawing: {}", exception.what()));
+    }
+}
+
+}  // namespace studio

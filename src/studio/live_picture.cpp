@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "studio/live_picture.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace studio {
+namespace {
+
+constexpr shader::Outputs live_outputs{.picture = true, .geometry = true};
+
+double clock_seconds() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
+bool same(const render::Frame& a, const render::Frame& b) {
+    static_assert(std::is_trivially_copyable_v<render::Frame>);
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+bool has_size(const std::optional<render::Canvas>& canvas, int width, int height) {
+    return canvas && canvas->width() == width && canvas->height() == height;
+}
+
+}  // namespace
+
+void LivePicture::set_program(std::unique_ptr<render::Program> program, double now) {
+    program_ = std::move(program);
+    scheduler_.restart(now);
+}
+
+void LivePicture::want(const WantedPicture& wanted, double now) {
+    if (wanted.width <= 0 || wanted.height <= 0) return;
+    const render::Frame frame = render::frame(wanted.document, wanted.camera,
+                                              render::whole(wanted.width, wanted.height));
+    const bool unchanged = wanted_frame_ && same(frame, *wanted_frame_) &&
+                           wanted.field_values == wanted_->field_values;
+    if (unchanged) return;
+    wanted_ = wanted;
+    wanted_frame_ = frame;
+    scheduler_.resize(wanted.width, wanted.height, now);
+    scheduler_.change(now);
+}
+
+base::Result<bool> LivePicture::work(double budget, double now) {
+    bool news = false;
+    if (!program_ || !wanted_) return news;
+    const double start = clock_seconds();
+    double spent = 0;
+    while (spent < budget) {
+        const auto step = scheduler_.next(now + spent);
+        if (!step) break;
+        if (step->first) {
+            if (auto status = prepare(*step); !status) return status.problems();
+        }
+        const double before = clock_seconds();
+        if (auto status = draw(*step); !status) return status.problems();
+        const double after = clock_seconds();
+        scheduler_.done(*step, after - before);
+        news = news || step->full() || step->last;
+        spent = after - start;
+    }
+    if (report_is_due(now + spent)) {
+        make_report();
+        news = true;
+    }
+    return news;
+}
+
+double LivePicture::wait(double now) const {
+    if (!program_ || !wanted_) return std::numeric_limits<double>::infinity();
+    if (!reported_ && scheduler_.complete()) {
+        return scheduler_.resting(now) ? 0 : PictureScheduler::rest_seconds / 2;
+    }
+    return scheduler_.wait(now);
+}
+
+PictureLayers LivePicture::layers() const {
+    PictureLayers layers;
+    if (coarse_shown_ && coarse_) layers.base = coarse_->picture_texture();
+    if (full_) {
+        layers.full = full_->picture_texture();
+        layers.width = full_->width();
+        layers.height = full_->height();
+    }
+    layers.tiles = &full_tiles_;
+    return layers;
+}
+
+/// Takes what is wanted now as the picture to draw, and makes room for it.
+base::Status LivePicture::prepare(const DrawingStep& step) {
+    drawn_ = wanted_;
+    drawn_frame_ = render::frame(drawn_->document, drawn_->camera,
+                                 render::whole(step.width, step.height));
+    std::optional<render::Canvas>& canvas = step.full() ? full_ : next_coarse_;
+    if (!has_size(canvas, step.width, step.height)) {
+        if (step.full() && full_ && !coarse_shown_ && !full_tiles_.empty()) {
+            // After a change of size the old picture, stretched, is the best there is to show.
+            coarse_ = std::move(full_);
+            coarse_shown_ = true;
+        }
+        if (step.full()) full_tiles_.clear();
+        canvas.reset();
+        auto made = render::Canvas::create(*gl_, step.width, step.height, live_outputs);
+        if (!made) return made.problems();
+        canvas = std::move(*made);
+    }
+    return base::Done{};
+}
+
+base::Status LivePicture::draw(const DrawingStep& step) {
+    std::optional<render::Canvas>& canvas = step.full() ? full_ : next_coarse_;
+    if (!canvas || !drawn_frame_) return base::error("the live picture has no canvas");
+    canvas->draw(*program_, *drawn_frame_, drawn_->field_values, step.tile);
+    canvas->finish();
+    if (!step.full()) {
+        if (step.last) {
+            std::swap(coarse_, next_coarse_);
+            coarse_shown_ = true;
+            full_tiles_.clear();
+        }
+        return base::Done{};
+    }
+    full_tiles_.push_back(step.tile);
+    if (step.last) {
+        full_tiles_ = {{0, 0, step.width, step.height}};
+        reported_ = false;
+    }
+    return base::Done{};
+}
+
+bool LivePicture::report_is_due(double now) const {
+    return !reported_ && scheduler_.complete() && scheduler_.resting(now);
+}
+
+void LivePicture::make_report() {
+    report_ = PictureReport{.width = full_->width(),
+                            .height = full_->height(),
+                            .seconds = scheduler_.full_seconds(),
+                            .statistics = statistics(full_->read_geometry())};
+    reported_ = true;
+}
+
+}  // namespace studio

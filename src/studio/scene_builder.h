@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Turns documents into what the live picture needs, and remembers the last good formula, so that a
+// broken text does not take the picture away.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "compile/compile.h"
+#include "render/program.h"
+#include "scene/document.h"
+
+namespace studio {
+
+/// What the compiler says about a document.
+struct BuiltScene {
+    std::string text;               ///< the formula that the diagnostics speak of
+    base::Diagnostics diagnostics;  ///< of the formula: errors, or else warnings
+    base::Diagnostics failures;     ///< of the driver, or of ourselves
+    /// The sliders of the formula; none if the text was not understood.
+    std::optional<std::vector<field::Parameter>> parameters;
+
+    /// A program, if it is another one than before.
+    std::unique_ptr<render::Program> program;
+    /// The numbers of the newest program, and the bounds that they hold for; none if nothing can be
+    /// drawn.
+    std::optional<std::vector<float>> field_values;
+    scene::Bounds bounds;
+};
+
+/// Compiles one document after the other, redoing only what has changed. Used by one thread, with a
+/// context current if `link` needs one.
+class SceneBuilder {
+public:
+    using Link = std::function<base::Result<std::unique_ptr<render::Program>>(
+        const shader::ProgramSource& source, const scene::Document& document,
+        const std::vector<float>& field_values)>;
+
+    explicit SceneBuilder(Link link) : link_(std::move(link)) {}
+
+    /// `superseded` is asked before anything slow; where it says yes, the document is left as it
+    /// is, and nothing is answered. Exceptions from below come back as failures.
+    std::optional<BuiltScene> build(const scene::Document& document,
+                                    const std::function<bool()>& superseded);
+
+    /// The formula of the picture; none before the first good one.
+    const compile::Formula* formula() const { return drawn_ ? &drawn_->formula : nullptr; }
+
+private:
+    struct Drawn {
+        compile::Formula formula;
+        shader::ProgramSource source;
+    };
+
+    std::optional<BuiltScene> build_throwing(const scene::Document& document,
+                                             const std::function<bool()>& superseded);
+    void read(const std::string& text);
+    bool make_drawable(const scene::Document& document, BuiltScene& built,
+                       const std::function<bool()>& superseded);
+
+    Link link_;
+    std::optional<std::string> text_;  ///< the text that was read last
+    base::Diagnostics diagnostics_;
+    bool understood_ = false;
+    std::optional<compile::Formula> candidate_;  ///< good, but not drawn yet
+    std::optional<Drawn> drawn_;                 ///< what the newest program draws
+    std::string rejected_;                       ///< the GLSL that the driver did not accept
+    base::Diagnostics rejection_;                ///< and why
+};
+
+}  // namespace studio

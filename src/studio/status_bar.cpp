@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The line at the bottom: how the last full picture went, and on what.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "studio/panels.h"
+#include "studio/slider.h"
+
+namespace studio {
+namespace {
+
+void separator() {
+    ImGui::SameLine(0, 12);
+    ImGui::TextDisabled("|");
+    ImGui::SameLine(0, 12);
+}
+
+void show_report(const PictureReport& report) {
+    const PictureStatistics& statistics = report.statistics;
+    ImGui::TextUnformatted(fmt::format("{:.1f} ms", report.seconds * 1000).c_str());
+    tooltip_of_last("Drawing time of the last full picture");
+    separator();
+    ImGui::TextUnformatted(fmt::format("{} x {}", report.width, report.height).c_str());
+    separator();
+    ImGui::TextUnformatted(
+        fmt::format("steps: mean {:.1f}, most {}", statistics.mean_steps, statistics.most_steps)
+            .c_str());
+    tooltip_of_last("Steps of the primary rays");
+    separator();
+    const std::string out = fmt::format("{} pixels out of steps", statistics.unresolved);
+    if (statistics.unresolved == 0) {
+        ImGui::TextUnformatted(out.c_str());
+    } else {
+        ImGui::TextColored(ImVec4(0.91f, 0.75f, 0.35f, 1), "%s", out.c_str());
+        tooltip_of_last("Their rays reached the limit of steps; raise it in the tab Render.");
+    }
+}
+
+}  // namespace
+
+void show_status_bar(const Workspace& workspace) {
+    const char* state = workspace.drawing_still        ? "drawing a picture..."
+                        : workspace.compilation.busy   ? "compiling..."
+                        : !workspace.picture_complete  ? "drawing..."
+                        : workspace.compilation.drawable ? "ready"
+                                                         : "no picture";
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(state);
+    ImGui::SameLine(150 * workspace.scale);
+    if (workspace.report) show_report(*workspace.report);
+    const float width = ImGui::CalcTextSize(workspace.renderer.c_str()).x;
+    const float place = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
+    ImGui::SameLine();
+    if (place > ImGui::GetCursorPosX() + 12) {
+        ImGui::SetCursorPosX(place);
+        ImGui::TextDisabled("%s", workspace.renderer.c_str());
+    }
+}
+
+}  // namespace studio
