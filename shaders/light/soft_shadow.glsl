@@ -6,12 +6,16 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
     real t = t0;
     real least = 2e-3 * length(frame.bounds_half.xyz);
     field_start();
+    bool rising = false;
     int steps = min(int(frame.march.x), 128);
     for (int i = 0; i < steps; ++i) {
         Answer a = field(o + t * l, l);
         field_accept();
-        if (a.free <= 0.0) return 0.0;
-        if (t > 0.0) seen = min(seen, k * a.distance / t);
+        // A sheet's f that grew up to its change of sign and falls behind it has a pole there.
+        bool pole = a.sheet && rising && a.value * a.rate < 0.0;
+        if (a.free <= 0.0 && !pole) return 0.0;
+        rising = a.value * a.rate > 0.0;
+        if (t > 0.0 && !rising && !pole) seen = min(seen, k * a.distance / t);
         if (seen < 0.01) return 0.0;
         t += max(min(a.free, max(a.distance, least)), least);
         if (t > t1) break;

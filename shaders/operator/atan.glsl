@@ -1,5 +1,5 @@
 // By the minimax polynomial of Cephes' atanf (Moshier) on [0, tan(pi/8)]. The branch cut of atan2 is
-// the negative x axis, with the sign of a zero y as in C.
+// the negative x axis, where the angle is pi whatever the sign of a zero y.
 real zs_atan_unit(real x) {
     bool large = x > 0.4142135623730951;
     real y = large ? (x - 1.0) / (x + 1.0) : x;
@@ -13,7 +13,6 @@ real zs_atan(real x) {
     real y = a > 1.0 ? 1.5707963267948966 - zs_atan_unit(1.0 / a) : zs_atan_unit(a);
     return x < 0.0 ? -y : y;
 }
-bool zs_is_negative(real x) { return floatBitsToInt(float(x)) < 0; }
 real zs_atan2(real y, real x) {
     if (isnan(x) || isnan(y)) return zs_nan();
     real a = abs(x), b = abs(y);
@@ -21,6 +20,6 @@ real zs_atan2(real y, real x) {
     real part = most == 0.0 ? 0.0 : (isinf(most) ? (a == b ? 1.0 : 0.0) : min(a, b) / most);
     real angle = zs_atan_unit(part);
     if (b > a) angle = 1.5707963267948966 - angle;
-    if (zs_is_negative(x)) angle = 3.1415926535897931 - angle;
-    return zs_is_negative(y) ? -angle : angle;
+    if (x < 0.0) angle = 3.1415926535897931 - angle;
+    return y < 0.0 ? -angle : angle;
 }

@@ -1,2 +1,2 @@
-// Undefined for negative arguments in GLSL; here NaN, and -infinity for zero.
-real zs_log(real x) { return x < 0.0 ? zs_nan() : log(x); }
+// Undefined for negative arguments in GLSL; here NaN, for zero as well.
+real zs_log(real x) { return x > 0.0 ? log(x) : zs_nan(); }

@@ -1,2 +1,6 @@
-// a / b where |a| <= b is known; 0 for 0 / 0.
-real zs_ratio(real a, real b) { return b == 0.0 && a == 0.0 ? 0.0 : a / b; }
+// a / b where |a| <= b is known, so that the quotient is kept in [-1, 1]; 0 for 0 / 0.
+real zs_ratio(real a, real b) {
+    if (b == 0.0 && a == 0.0) return 0.0;
+    real q = a / b;
+    return q > 1.0 ? 1.0 : (q < -1.0 ? -1.0 : q);
+}

@@ -78,15 +78,20 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             continue;
         }
         if (mode == zs_touching) {
+            real asked = touch.next;
             bool done = touch_add(touch, a);
             before = touch.t;
             last = touch.answer;
             t = touch.next;
             if (!done) continue;
-            result.status = touch.t > t1 ? zs_miss : zs_hit;
-            result.t = touch.t;
-            result.object = touch.answer.object;
-            return result;
+            if (touch_is_surface(touch)) {
+                result.status = touch.t > t1 ? zs_miss : zs_hit;
+                result.t = touch.t;
+                result.object = touch.answer.object;
+                return result;
+            }
+            t = asked;
+            mode = zs_marching;
         }
         if (zs_has_edges && zs_undefined < undefined_before) {
             edge_lo = before;

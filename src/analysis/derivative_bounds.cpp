@@ -2,7 +2,9 @@
 #include "analysis/derivative_bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "analysis/spectral_norm.h"
 #include "passes/differentiate.h"

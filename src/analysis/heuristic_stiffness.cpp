@@ -2,6 +2,7 @@
 #include "analysis/heuristic_stiffness.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 

@@ -38,10 +38,10 @@ T apply(graph::Op op, const T& a, const T& b, const T& c, const T& d) {
     return a;
 }
 
-/// The same with the arguments in a row, exactly as many as the operator's arity.
+/// The same with the arguments in a row, at least as many as the operator's arity.
 template <class T>
 T apply(graph::Op op, std::span<const T> arguments) {
-    assert(!arguments.empty() && static_cast<int>(arguments.size()) == graph::facts(op).arity);
+    assert(!arguments.empty() && static_cast<int>(arguments.size()) >= graph::facts(op).arity);
     const auto argument = [&](std::size_t i) -> const T& {
         return i < arguments.size() ? arguments[i] : arguments[0];
     };

@@ -7,6 +7,7 @@
 
 #include "formula/arguments.h"
 #include "formula/domain_maps.h"
+#include "formula/functions.h"
 #include "formula/set_operations.h"
 
 namespace formula {
@@ -43,13 +44,13 @@ bool has_count(Lowering& lowering, const Call& call, std::size_t least, std::siz
 
 Value build_union(Lowering& lowering, const Call& call) {
     const auto fields = operands(lowering, call);
-    if (!has_count(lowering, call, 2, call.arguments.size()) || !fields) return Nothing{};
+    if (!has_count(lowering, call, 2, any_number) || !fields) return Nothing{};
     return unite(lowering, *fields);
 }
 
 Value build_intersection(Lowering& lowering, const Call& call) {
     const auto fields = operands(lowering, call);
-    if (!has_count(lowering, call, 2, call.arguments.size()) || !fields) return Nothing{};
+    if (!has_count(lowering, call, 2, any_number) || !fields) return Nothing{};
     return intersect(lowering, *fields);
 }
 

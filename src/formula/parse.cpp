@@ -21,35 +21,42 @@ struct Reader {
     Program program;
     base::Diagnostics errors;
 
-    /// What was parsed, or a Broken expression if the grammar or the actions found an error.
+    /// What was parsed; nothing if the grammar or the actions found an error.
     template <class T, class Parse>
-    T accept(const StatementText& statement, base::SourceSpan span, Parse parse, T broken) {
+    std::optional<T> accept(const StatementText& statement, base::SourceSpan span, Parse parse) {
         const std::size_t errors_before = errors.size();
         Parsed<T> parsed = parse(text, span, program, errors);
         if (const auto* failure = std::get_if<SyntaxError>(&parsed)) {
             errors.push_back(explain(text, statement, *failure));
         }
-        if (errors.size() > errors_before) return broken;
+        if (errors.size() > errors_before) return std::nullopt;
         return std::get<T>(std::move(parsed));
     }
 
-    ExpressionId broken(base::SourceSpan span) { return program.add(Broken{}, span); }
+    ExpressionId expression(const StatementText& statement, base::SourceSpan span) {
+        const auto id = accept<ExpressionId>(statement, span, parse_expression);
+        return id ? *id : program.add(Broken{}, span);
+    }
 
     void add_definition(const StatementText& statement) {
         const Token& name = statement.tokens[0];
         const base::SourceSpan value{statement.tokens[1].span.end, statement.span().end};
-        const ExpressionId id = accept(statement, value, parse_expression, broken(value));
+        const ExpressionId id = expression(statement, value);
         program.statements.push_back(Definition{std::string(name.text(text)), name.span, id});
     }
 
     void add_parameter(const StatementText& statement) {
-        ParameterDeclaration unknown;
-        if (statement.tokens.size() > 1 && statement.tokens[1].kind == Token::Kind::name) {
-            unknown.name = statement.tokens[1].text(text);
-            unknown.span = statement.tokens[1].span;
+        auto parameter =
+            accept<ParameterDeclaration>(statement, statement.span(), parse_parameter);
+        if (!parameter) {
+            parameter.emplace();
+            if (statement.tokens.size() > 1 && statement.tokens[1].kind == Token::Kind::name) {
+                parameter->name = statement.tokens[1].text(text);
+                parameter->span = statement.tokens[1].span;
+            }
+            parameter->initial = program.add(Broken{}, statement.span());
         }
-        unknown.initial = broken(statement.span());
-        program.statements.push_back(accept(statement, statement.span(), parse_parameter, unknown));
+        program.statements.push_back(*std::move(parameter));
     }
 
     void add(const StatementText& statement) {
@@ -61,8 +68,7 @@ struct Reader {
                 add_parameter(statement);
                 break;
             case StatementText::Kind::result:
-                program.result =
-                    accept(statement, statement.span(), parse_expression, broken(statement.span()));
+                program.result = expression(statement, statement.span());
                 break;
         }
     }
@@ -77,7 +83,7 @@ struct Reader {
                 {end, end},
                 "the formula has nothing to show; type an equation such as x^2 + y^2 + z^2 = 1 "
                 "below its parameters"));
-            program.result = broken({end, end});
+            program.result = program.add(Broken{}, {end, end});
         }
     }
 };

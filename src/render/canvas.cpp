@@ -106,7 +106,7 @@ base::Result<Canvas> Canvas::create(const Gl& gl, int width, int height,
     };
     if (outputs.picture) canvas.picture_ = attach(0, GL_RGBA8);
     if (outputs.geometry) canvas.geometry_ = attach(1, GL_RGBA32F);
-    if (outputs.normal || outputs.count) canvas.normal_ = attach(2, GL_RGBA32F);
+    if (outputs.normal) canvas.normal_ = attach(2, GL_RGBA32F);
     gl.NamedFramebufferDrawBuffers(canvas.framebuffer_, draw_buffers.size(), draw_buffers.data());
 
     const GLenum problem = gl.GetError();

@@ -21,8 +21,8 @@ struct Tile {
 /// Owns GL objects: its context must be current when it is made, used and destroyed.
 class Canvas {
 public:
-    /// RGBA8 for the picture, RGBA32F for geometry and normal, as far as they are asked for (the
-    /// count of evaluations is a part of normal). What a size is refused for is said in the error.
+    /// RGBA8 for the picture, RGBA32F for geometry and normal, as far as they are asked for.
+    /// What a size is refused for is said in the error.
     static base::Result<Canvas> create(const Gl& gl, int width, int height,
                                        const shader::Outputs& outputs);
     Canvas(Canvas&&) noexcept;
@@ -46,7 +46,7 @@ public:
     image::Picture read_picture() const;
     /// Depth, steps, status, object id.
     image::Image<float, 4> read_geometry() const;
-    /// Normal and evaluations.
+    /// Normal, and evaluations where they are counted.
     image::Image<float, 4> read_normal() const;
 
 private:

@@ -45,7 +45,7 @@ glm::dvec3 unit_or_zero(const glm::dvec3& direction) {
 }
 
 void set_lights(Frame& frame, const std::vector<scene::Light>& lights) {
-    const std::size_t count = std::min<std::size_t>(lights.size(), max_lights);
+    const std::size_t count = std::min(lights.size(), max_lights);
     frame.sky.w = static_cast<float>(count);
     for (std::size_t i = 0; i < count; ++i) {
         frame.light_direction[i] = pack(unit_or_zero(lights[i].direction), 0);
@@ -56,7 +56,7 @@ void set_lights(Frame& frame, const std::vector<scene::Light>& lights) {
 // Objects take the material of their number modulo the count, so there is always at least one.
 void set_materials(Frame& frame, std::vector<scene::Material> materials) {
     if (materials.empty()) materials.emplace_back();
-    const std::size_t count = std::min<std::size_t>(materials.size(), max_materials);
+    const std::size_t count = std::min(materials.size(), max_materials);
     frame.ground.w = static_cast<float>(count);
     for (std::size_t i = 0; i < count; ++i) {
         frame.material[i] = pack(materials[i].colour, materials[i].specular);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include <glm/vec4.hpp>
 
@@ -10,8 +11,8 @@
 
 namespace render {
 
-inline constexpr int max_lights = 8;
-inline constexpr int max_materials = 16;
+inline constexpr std::size_t max_lights = scene::most_lights;
+inline constexpr std::size_t max_materials = scene::most_materials;
 
 /// The full picture's size, and the part of it that is drawn, in pixels from the left and the top.
 struct View {

@@ -116,7 +116,7 @@ Still empty_still(const View& view, const shader::Outputs& outputs) {
     const int height = view.region_height;
     if (outputs.picture) still.picture = image::Picture(width, height);
     if (outputs.geometry) still.geometry = image::Image<float, 4>(width, height);
-    if (outputs.normal || outputs.count) still.normal = image::Image<float, 4>(width, height);
+    if (outputs.normal) still.normal = image::Image<float, 4>(width, height);
     return still;
 }
 

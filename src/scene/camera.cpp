@@ -42,7 +42,7 @@ double half_angle(const Camera& camera) {
 dvec3 arm(const Camera& camera) {
     const dvec3 v = camera.eye - camera.target;
     const double length = glm::length(v);
-    return std::isfinite(length) && length >= least_distance ? v : dvec3(0, 0, 1);
+    return std::isfinite(length) && length > least_distance / 2 ? v : dvec3(0, 0, 1);
 }
 
 /// Where the eye stands, so that a sphere of this radius around the target fills the picture.
@@ -125,7 +125,9 @@ Camera dolly(const Camera& camera, double factor) {
     if (!std::isfinite(factor) || factor <= 0) return camera;
     const dvec3 from_target = arm(camera);
     const double distance = glm::length(from_target);
-    const double wanted = std::clamp(distance * factor, least_distance, greatest_distance);
+    // Far from the origin the least distance must still be one that the eye's coordinates can show.
+    const double least = std::max(least_distance, 1e-9 * glm::length(camera.target));
+    const double wanted = std::clamp(distance * factor, least, std::max(least, greatest_distance));
     Camera result = camera;
     result.eye = camera.target + from_target * (wanted / distance);
     return result;

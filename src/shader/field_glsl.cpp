@@ -129,10 +129,11 @@ private:
         ExpressionWriter w = writer();
         write_value_and_gradient(i, w);
         const FieldId id = leaves_[i].id;
-        const std::string bounds = fmt::format(
-            "real3({}, {}, {})", values_.bound(FieldValue::What::inverse_lipschitz, id),
-            values_.bound(FieldValue::What::second_derivative, id),
-            values_.bound(FieldValue::What::first_order, id));
+        // One after the other: the order of arguments is the compiler's choice.
+        const std::string lipschitz = values_.bound(FieldValue::What::inverse_lipschitz, id);
+        const std::string second = values_.bound(FieldValue::What::second_derivative, id);
+        const std::string first = values_.bound(FieldValue::What::first_order, id);
+        const std::string bounds = fmt::format("real3({}, {}, {})", lipschitz, second, first);
         const std::string answer =
             is_sheet(i)
                 ? fmt::format("sheet_answer(f, g, d, {}, side_{}, now_{}, {})", bounds, i, i, i)

@@ -31,6 +31,7 @@ bool has_size(const std::optional<render::Canvas>& canvas, int width, int height
 void LivePicture::set_program(std::unique_ptr<render::Program> program, double now) {
     program_ = std::move(program);
     scheduler_.restart(now);
+    failed_ = false;
 }
 
 void LivePicture::want(const WantedPicture& wanted, double now) {
@@ -42,13 +43,20 @@ void LivePicture::want(const WantedPicture& wanted, double now) {
     if (unchanged) return;
     wanted_ = wanted;
     wanted_frame_ = frame;
+    failed_ = false;
     scheduler_.resize(wanted.width, wanted.height, now);
     scheduler_.change(now);
 }
 
 base::Result<bool> LivePicture::work(double budget, double now) {
+    if (!program_ || !wanted_ || failed_) return false;
+    auto news = draw_for(budget, now);
+    failed_ = !news;
+    return news;
+}
+
+base::Result<bool> LivePicture::draw_for(double budget, double now) {
     bool news = false;
-    if (!program_ || !wanted_) return news;
     const double start = clock_seconds();
     double spent = 0;
     while (spent < budget) {
@@ -72,7 +80,7 @@ base::Result<bool> LivePicture::work(double budget, double now) {
 }
 
 double LivePicture::wait(double now) const {
-    if (!program_ || !wanted_) return std::numeric_limits<double>::infinity();
+    if (!program_ || !wanted_ || failed_) return std::numeric_limits<double>::infinity();
     if (!reported_ && scheduler_.complete()) {
         return scheduler_.resting(now) ? 0 : PictureScheduler::rest_seconds / 2;
     }

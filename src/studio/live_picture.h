@@ -53,7 +53,8 @@ public:
     /// Says what is to be drawn. Nothing is drawn again if that is what was drawn.
     void want(const WantedPicture& wanted, double now);
 
-    /// Draws for about so many seconds. True if there is something new to show.
+    /// Draws for about so many seconds. True if there is something new to show. After an error
+    /// nothing is drawn until something else is wanted.
     base::Result<bool> work(double budget, double now);
     /// Seconds until `work` has something to do: 0 for now, infinity for never.
     double wait(double now) const;
@@ -64,6 +65,7 @@ public:
     const std::optional<PictureReport>& report() const { return report_; }
 
 private:
+    base::Result<bool> draw_for(double budget, double now);
     base::Status prepare(const DrawingStep& step);
     base::Status draw(const DrawingStep& step);
     bool report_is_due(double now) const;
@@ -82,6 +84,7 @@ private:
     std::vector<render::Tile> full_tiles_;
     std::optional<PictureReport> report_;
     bool reported_ = true;
+    bool failed_ = false;
 };
 
 }  // namespace studio

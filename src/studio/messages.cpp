@@ -19,7 +19,7 @@ ImVec4 colour_of(const Message& message) {
 
 bool is_due(const Message& message) {
     if (message.dismissed) return false;
-    return message.kind == Message::Kind::error ||
+    return message.kind == Message::Kind::error || message.seconds < 0 ||
            ImGui::GetTime() - message.seconds < note_seconds;
 }
 
@@ -36,6 +36,10 @@ void show_message(Message& message) {
 }
 
 }  // namespace
+
+bool has_messages_to_show(const Workspace& workspace) {
+    return std::any_of(workspace.messages.begin(), workspace.messages.end(), is_due);
+}
 
 void show_messages(Workspace& workspace) {
     for (Message& message : workspace.messages) {

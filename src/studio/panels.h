@@ -25,7 +25,8 @@ void show_preset_panel(Workspace& workspace);
 /// The picture, and the camera by mouse on it.
 void show_picture(Workspace& workspace);
 void show_status_bar(const Workspace& workspace);
-/// The newest messages over the picture, and the log of all.
+/// The newest messages over the picture, if there are any, and the log of all.
+bool has_messages_to_show(const Workspace& workspace);
 void show_messages(Workspace& workspace);
 void show_log(Workspace& workspace);
 void show_help(Workspace& workspace);

@@ -20,11 +20,11 @@ scene::Document Workspace::shown() const {
 }
 
 void Workspace::note(std::string text) {
-    messages.push_back({.kind = Message::Kind::note, .text = std::move(text), .seconds = -1});
+    messages.push_back({.kind = Message::Kind::note, .text = std::move(text)});
 }
 
 void Workspace::error(std::string text) {
-    messages.push_back({.kind = Message::Kind::error, .text = std::move(text), .seconds = -1});
+    messages.push_back({.kind = Message::Kind::error, .text = std::move(text)});
 }
 
 void Workspace::report_problems(const base::Diagnostics& problems) {

@@ -25,7 +25,7 @@ struct Message {
     enum class Kind { note, error };
     Kind kind = Kind::note;
     std::string text;
-    double seconds = 0;  ///< when, by the interface's clock
+    double seconds = -1;  ///< when it was first shown; negative: not yet
     bool dismissed = false;
 };
 

@@ -94,13 +94,6 @@ TEST_F(CanvasTest, outputs_that_are_not_asked_for_are_empty) {
     EXPECT_EQ(canvas.picture_texture(), 0u);
 }
 
-TEST_F(CanvasTest, counting_evaluations_brings_the_texture_that_holds_them) {
-    Canvas canvas = make_canvas(2, 2, {false, false, false, true});
-    canvas.draw(make_program(render_test::program("out_normal = vec4(0, 0, 0, 12);")),
-                render_test::frame_of(render::whole(2, 2)), {}, {0, 0, 2, 2});
-    EXPECT_EQ(canvas.read_normal().at(1, 1)[3], 12.0f);
-}
-
 TEST_F(CanvasTest, the_frame_arrives_in_the_block_as_it_is_laid_out) {
     Canvas canvas = make_canvas(1, 1, everything);
     render::Frame frame = render_test::frame_of(render::whole(1, 1));

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "formula/understood.h"
+
+namespace formula {
+namespace {
+
+void check(std::string_view text, std::string_view errors) {
+    EXPECT_EQ(errors_of(text), errors) << "formula: " << text;
+}
+
+field::Parameter first_of(std::string_view text) {
+    const base::Result<Lowered> result = understand(text);
+    if (!result || result->field.parameters.empty()) {
+        ADD_FAILURE() << report_of(text);
+        return {};
+    }
+    return result->field.parameters.front();
+}
+
+TEST(LowerParameter, keeps_all_that_is_declared) {
+    const field::Parameter it =
+        first_of("k = 2\nparam size = 0.5k in [-1, 2pi] step 0.1 \"Size of it\"\nx = size");
+    EXPECT_EQ(it.name, "size");
+    EXPECT_EQ(it.label, "Size of it");
+    EXPECT_EQ(it.initial, 1);
+    EXPECT_EQ(it.minimum, -1);
+    EXPECT_EQ(it.maximum, 2 * std::numbers::pi);
+    EXPECT_EQ(it.step, 0.1);
+    EXPECT_EQ(it.span, (base::SourceSpan{12, 16}));
+}
+
+TEST(LowerParameter, has_its_name_as_label_and_no_step_by_default) {
+    const field::Parameter it = first_of("param a = 0.5 in [0, 2]\nx = a");
+    EXPECT_EQ(it.label, "a");
+    EXPECT_EQ(it.step, std::nullopt);
+}
+
+TEST(LowerParameter, chooses_a_range_around_the_initial_value) {
+    const auto range = [](std::string_view text) {
+        const field::Parameter it = first_of(text);
+        return std::pair(it.minimum, it.maximum);
+    };
+    EXPECT_EQ(range("param a = 3\nx = a"), std::pair(0.0, 6.0));
+    EXPECT_EQ(range("param a = -3\nx = a"), std::pair(-6.0, 0.0));
+    EXPECT_EQ(range("param a = 0\nx = a"), std::pair(-1.0, 1.0));
+    EXPECT_EQ(range("param a = 3 step 1\nx = a"), std::pair(0.0, 6.0));
+    EXPECT_EQ(first_of("param a = 3 \"b\"\nx = a").label, "b");
+}
+
+TEST(LowerParameter, is_one_parameter_of_the_graph_in_the_order_of_the_text) {
+    const auto result = understand("param b = 1\nparam a = 2\nx = a + 10b");
+    ASSERT_TRUE(result);
+    ASSERT_EQ(result->field.parameters.size(), 2u);
+    EXPECT_EQ(result->field.parameters[0].name, "b");
+    EXPECT_EQ(result->field.graph.name(result->field.parameters[0].id), "b");
+    EXPECT_EQ(graph::index(result->field.parameters[0].id), 1u);
+    EXPECT_EQ(graph::index(result->field.parameters[1].id), 2u);
+    EXPECT_DOUBLE_EQ(value_at("param b = 1\nparam a = 2\nx = a + 10b", {20, 0, 0}), 8);
+}
+
+TEST(LowerParameter, must_have_sensible_values) {
+    check("param a = 3 in [0, 2]\nx = a",
+          "1:11: the initial value 3 of 'a' is outside its range [0, 2]");
+    check("param a = 1 in [2, 0]\nx = a",
+          "1:17: the range of 'a' is empty; write the smaller number first");
+    check("param a = 1 in [1, 1]\nx = a",
+          "1:17: the range of 'a' is empty; write the smaller number first");
+    check("param a = 1 in [0, 2] step 0\nx = a", "1:28: the step of 'a' must be above 0");
+    check("param a = 1 in [0, 2] step -1\nx = a", "1:28: the step of 'a' must be above 0");
+    check("param a = 1/0\nx = a", "1:11: the initial value of 'a' is not a finite number");
+    check("param a = 1 in [0, 1/0]\nx = a", "1:20: the maximum of 'a' is not a finite number");
+    check("param a = 1 in [log(-1), 2]\nx = a", "1:17: the minimum of 'a' is not a finite number");
+}
+
+TEST(LowerParameter, has_constant_values) {
+    const std::string end =
+        " must be a constant; it cannot depend on the point, the time or another parameter";
+    check("param a = x\nx = a", "1:11: the initial value of 'a'" + end);
+    check("param a = t\nx = a", "1:11: the initial value of 'a'" + end);
+    check("param a = 1\nparam b = 1 in [0, a]\nx = a + b", "2:20: the maximum of 'b'" + end);
+    check("param a = (1, 2)\nx = a", "1:11: a tuple cannot be used as a value of a parameter");
+    check("param a = foo\nx = a", "1:11: unknown name 'foo'");
+}
+
+TEST(LowerParameter, reports_all_bad_values) {
+    check("param a = foo in [bar, 1] step 0\nx = a",
+          "1:11: unknown name 'foo'\n"
+          "1:19: unknown name 'bar'\n"
+          "1:32: the step of 'a' must be above 0");
+}
+
+}  // namespace
+}  // namespace formula
