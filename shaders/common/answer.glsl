@@ -5,6 +5,7 @@ struct Answer {
     real value;     // f itself, for telling roots from poles
     real rate;      // its derivative along the ray
     bool sheet;     // whether the leaf is a sheet
+    bool turned;    // whether f grows towards the inside: in a complement, behind a sheet
     int object;     // the leaf that gave this answer
 };
 
@@ -13,19 +14,25 @@ int zs_undefined = 0;
 // Whether the latest evaluation used a step without a proof.
 bool zs_guess = false;
 
+// The way along the ray is one thing, which operand the surface belongs to another: that is told by the
+// estimated distance, since the way may be long right behind a surface.
 Answer answer_union(Answer a, Answer b) {
-    if (b.free < a.free) return b;
+    real free = min(a.free, b.free);
+    if (b.distance < a.distance) a = b;
+    a.free = free;
     return a;
 }
 
 // Only a positive operand vouches that the maximum stays positive: the larger answer.
 Answer answer_intersection(Answer a, Answer b) {
-    if (b.free > a.free) return b;
+    real free = max(a.free, b.free);
+    if (b.distance > a.distance) a = b;
+    a.free = free;
     return a;
 }
 
 Answer answer_complement(Answer a) {
-    return Answer(-a.free, -a.distance, -a.value, -a.rate, a.sheet, a.object);
+    return Answer(-a.free, -a.distance, -a.value, -a.rate, a.sheet, !a.turned, a.object);
 }
 
 // How far to go through a region where nothing is known, such as outside a domain; heuristic.
@@ -35,5 +42,5 @@ real blind_step() { return length(frame.bounds_half.xyz) / 64.0; }
 Answer answer_undefined(int object) {
     ++zs_undefined;
     zs_guess = true;
-    return Answer(blind_step(), zs_far, zs_far, 0.0, false, object);
+    return Answer(blind_step(), zs_far, zs_far, 0.0, false, false, object);
 }

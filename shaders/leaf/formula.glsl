@@ -7,6 +7,6 @@ Answer formula_answer(real f, real3 g, real3 d, real3 bounds, int object) {
     real rate = dot(g, d);
     real s = formula_step(v, f < 0.0 ? -rate : rate, norm, bounds) / frame.march.y;
     real estimate = v > 0.0 ? min(v / norm, zs_far) : 0.0;
-    return f < 0.0 ? Answer(-s, -estimate, f, rate, false, object)
-                   : Answer(s, estimate, f, rate, false, object);
+    return f < 0.0 ? Answer(-s, -estimate, f, rate, false, false, object)
+                   : Answer(s, estimate, f, rate, false, false, object);
 }

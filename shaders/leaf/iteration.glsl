@@ -4,9 +4,9 @@ Answer iteration_answer(real distance, bool inside, int object) {
     if (isnan(distance)) distance = 0.0;
     if (!inside) {
         real s = max(distance, 0.0);
-        return Answer(s / frame.march.y, s, s, 0.0, false, object);
+        return Answer(s / frame.march.y, s, s, 0.0, false, false, object);
     }
     zs_guess = true;
     real depth = min(distance, -1e-30);
-    return Answer(-0.125 * blind_step(), depth, depth, 0.0, false, object);
+    return Answer(-0.125 * blind_step(), depth, depth, 0.0, false, false, object);
 }

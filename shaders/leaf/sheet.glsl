@@ -8,6 +8,7 @@ Answer sheet_answer(real f, real3 g, real3 d, real3 bounds, real side, out real 
     real turn = side != 0.0 ? side : (now != 0.0 ? now : 1.0);
     Answer a = formula_answer(turn * f, turn * g, d, bounds, object);
     a.sheet = true;
+    a.turned = turn < 0.0;
     // Exactly on the surface is not yet across.
     if (a.free == 0.0) a.free = 1e-30;
     return a;

@@ -2,6 +2,6 @@
 Answer answer_smooth_union(Answer a, Answer b, real k) {
     real overlap = max(k - abs(a.distance - b.distance), 0.0) / k;
     real blend = min(a.distance, b.distance) - overlap * overlap * k * 0.25;
-    int object = a.distance < b.distance ? a.object : b.object;
-    return Answer(blend / frame.march.y, blend, blend, 0.0, false, object);
+    if (b.distance < a.distance) a = b;
+    return Answer(blend / frame.march.y, blend, blend, 0.0, false, a.turned, a.object);
 }

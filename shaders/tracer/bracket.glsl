@@ -3,23 +3,30 @@ struct Bracket {
     real lo, hi;
     Answer outside, inside;
     real first_value;  // |f| at the outer end when the bracket was made
-    int tries;
+    int asked;         // how many answers it has got: first that at lo, then that at hi
 };
 
-Bracket bracket_between(real lo, real hi, Answer outside, Answer inside) {
-    return Bracket(lo, hi, outside, inside, abs(outside.value), 0);
+Bracket bracket_between(real lo, real hi) {
+    Bracket b;
+    b.lo = lo;
+    b.hi = hi;
+    b.asked = 0;
+    return b;
 }
 
-// Where to look next: by a secant of the estimated distances, kept inside, or in the middle.
+// Where to look next: at the outer end, the inner end, then by a secant of the estimated distances or,
+// in turns, in the middle.
 real bracket_guess(Bracket b) {
+    if (b.asked == 1) return b.hi;
     real v = b.outside.distance, w = -b.inside.distance;
-    bool secant = (b.tries & 1) == 0 && v < zs_far && w < zs_far && v + w > 0.0;
+    bool secant = (b.asked & 1) == 0 && v < zs_far && w < zs_far && v + w > 0.0;
     return b.lo + (b.hi - b.lo) * (secant ? clamp(v / (v + w), 0.02, 0.98) : 0.5);
 }
 
 void bracket_add(inout Bracket b, real t, Answer a) {
-    ++b.tries;
-    if (a.free <= 0.0) {
+    if (b.asked == 0) b.first_value = abs(a.value);
+    ++b.asked;
+    if (b.asked > 1 && a.free <= 0.0) {
         b.hi = t;
         b.inside = a;
     } else {
@@ -28,9 +35,9 @@ void bracket_add(inout Bracket b, real t, Answer a) {
     }
 }
 
-// As small as single precision allows, or tried often enough.
+// Both ends are known, and as close as single precision allows, or tried often enough.
 bool bracket_is_small(Bracket b) {
-    return b.hi - b.lo <= zs_relative_step * max(b.hi, 1e-3) || b.tries >= 48;
+    return b.asked > 1 && (b.hi - b.lo <= zs_relative_step * max(b.hi, 1e-3) || b.asked >= 50);
 }
 
 // Tells a root from a pole or a jump, where a sheet's f changes its sign without being zero. At a pole

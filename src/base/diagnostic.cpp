@@ -9,9 +9,7 @@ namespace {
 
 constexpr std::size_t widest_line = 160;
 
-bool continues_character(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 std::size_t count_characters(std::string_view text) {
     return static_cast<std::size_t>(
@@ -31,8 +29,8 @@ std::string excerpt(std::string_view text, SourceSpan span) {
     std::string_view line = line_around(text, span.begin);
     std::size_t at = span.begin - static_cast<std::size_t>(line.data() - text.data());
     if (line.size() > widest_line) {
-        std::size_t begin = std::min(at > widest_line / 2 ? at - widest_line / 2 : 0,
-                                     line.size() - widest_line);
+        std::size_t begin =
+            std::min(at > widest_line / 2 ? at - widest_line / 2 : 0, line.size() - widest_line);
         while (begin < at && continues_character(line[begin])) ++begin;
         line = line.substr(begin, widest_line);
         at -= begin;

@@ -62,11 +62,15 @@ std::string folder_problem(const fs::path& folder) {
 std::string reason_not_read(int code) {
     switch (code) {
         case ENOENT:
-        case ENOTDIR: return "there is no such file; check the name";
-        case EISDIR: return "it is a directory; name a file";
+        case ENOTDIR:
+            return "there is no such file; check the name";
+        case EISDIR:
+            return "it is a directory; name a file";
         case EACCES:
-        case EPERM: return "no permission; make the file readable";
-        default: return std::generic_category().message(code);
+        case EPERM:
+            return "no permission; make the file readable";
+        default:
+            return std::generic_category().message(code);
     }
 }
 
@@ -78,16 +82,22 @@ std::string reason_not_written(const fs::path& path, int code) {
             const std::string problem = folder_problem(folder);
             return problem.empty() ? std::generic_category().message(code) : problem;
         }
-        case EISDIR: return "it is a directory; name a file";
+        case EISDIR:
+            return "it is a directory; name a file";
         case EACCES:
         case EPERM:
             return "no permission to write in the folder " + quoted(folder) + "; choose another";
-        case EROFS: return "the disk is read-only; choose another folder";
+        case EROFS:
+            return "the disk is read-only; choose another folder";
         case ENOSPC:
-        case EDQUOT: return "the disk is full; free some space";
-        case EFBIG: return "it would be larger than the system allows";
-        case ENAMETOOLONG: return "the name is too long; choose a shorter one";
-        default: return std::generic_category().message(code);
+        case EDQUOT:
+            return "the disk is full; free some space";
+        case EFBIG:
+            return "it would be larger than the system allows";
+        case ENAMETOOLONG:
+            return "the name is too long; choose a shorter one";
+        default:
+            return std::generic_category().message(code);
     }
 }
 

@@ -17,8 +17,8 @@ namespace base {
 Result<std::string> read_text(const std::filesystem::path& path, std::size_t max_bytes);
 
 /// Writes a file so that it is there either whole or as it was before: into a temporary file beside
-/// it, which is flushed to the disk and renamed; on failure the temporary file is removed. A link is
-/// followed, the mode of an existing file is kept. What is no regular file (a device, a pipe) is
+/// it, which is flushed to the disk and renamed; on failure the temporary file is removed. A link
+/// is followed, the mode of an existing file is kept. What is no regular file (a device, a pipe) is
 /// written directly. An error says why: no such folder, a directory, no permission, a full disk.
 Status write_atomically(const std::filesystem::path& path, std::string_view bytes);
 

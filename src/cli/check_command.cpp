@@ -5,8 +5,6 @@
 
 namespace cli {
 
-int check(const InputOptions& options) {
-    return read_input(options) ? success : failed;
-}
+int check(const InputOptions& options) { return read_input(options) ? success : failed; }
 
 }  // namespace cli

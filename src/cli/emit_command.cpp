@@ -18,11 +18,13 @@ int emit(const InputOptions& input_options, const RenderOptions& options, Emitte
     if (!apply(options, *input)) return usage;
     switch (what) {
         case Emitted::glsl:
-            fmt::print("{}", compile::program_source(input->formula, input->document,
-                                                     shader::Outputs{})
-                                 .fragment);
+            fmt::print("{}",
+                       compile::program_source(input->formula, input->document, shader::Outputs{})
+                           .fragment);
             break;
-        case Emitted::graph: fmt::print("{}", field::print(input->formula.field)); break;
+        case Emitted::graph:
+            fmt::print("{}", field::print(input->formula.field));
+            break;
         case Emitted::ast:
             fmt::print("{}", formula::print_ast(*formula::parse(input->document.formula)));
             break;

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cstdio>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "base/file.h"
 #include "scene/preset.h"
@@ -23,7 +23,8 @@ void print_all(const base::Diagnostics& problems, std::string_view name, std::st
 struct Source {
     std::string name;
     std::string text;
-    std::vector<std::uint32_t> places;  ///< of each byte of the formula in the text; empty: the same
+    std::vector<std::uint32_t>
+        places;  ///< of each byte of the formula in the text; empty: the same
 
     base::Diagnostics in_text(base::Diagnostics problems) const {
         if (places.empty()) return problems;
@@ -72,8 +73,8 @@ bool read_document(const InputOptions& options, Source& source, scene::Document&
 void add_input_options(CLI::App& command, InputOptions& options) {
     auto* preset = command.add_option("PRESET", options.preset,
                                       "A preset file, or the name of a shipped or own preset");
-    auto* formula = command.add_option("--formula", options.formula,
-                                       "The formula itself instead of a preset");
+    auto* formula =
+        command.add_option("--formula", options.formula, "The formula itself instead of a preset");
     preset->excludes(formula);
     command.callback([&command, &options] {
         if (options.preset.empty() && !options.formula) {
@@ -99,8 +100,6 @@ std::optional<Input> read_input(const InputOptions& options) {
     return input;
 }
 
-void report(const base::Diagnostics& problems) {
-    print_all(problems, "zeroset", "");
-}
+void report(const base::Diagnostics& problems) { print_all(problems, "zeroset", ""); }
 
 }  // namespace cli

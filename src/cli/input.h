@@ -31,8 +31,8 @@ struct Input {
     double parse_seconds = 0;
 };
 
-/// Reads and compiles. Errors and warnings go to standard error in the contract's form, with places in
-/// the preset's file or in `formula`; none is returned if there were errors.
+/// Reads and compiles. Errors and warnings go to standard error in the contract's form, with places
+/// in the preset's file or in `formula`; none is returned if there were errors.
 std::optional<Input> read_input(const InputOptions& options);
 
 /// Writes diagnostics without a place to standard error, each under the program's name.

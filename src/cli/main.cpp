@@ -2,6 +2,4 @@
 // The program `zeroset`.
 #include "cli/run.h"
 
-int main(int argc, char** argv) {
-    return cli::run(argc, argv);
-}
+int main(int argc, char** argv) { return cli::run(argc, argv); }

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "render/still.h"
 #include "shader/program_source.h"
@@ -40,8 +40,7 @@ std::vector<double> numbers(std::string_view text, std::string_view option) {
 glm::dvec3 vector(std::string_view text, std::string_view option) {
     const std::vector<double> list = numbers(text, option);
     if (list.size() != 3) {
-        throw CLI::ValidationError(std::string(option),
-                                   fmt::format("'{}' should be X,Y,Z", text));
+        throw CLI::ValidationError(std::string(option), fmt::format("'{}' should be X,Y,Z", text));
     }
     return {list[0], list[1], list[2]};
 }
@@ -170,11 +169,14 @@ void add_tracing_options(CLI::App& command, RenderOptions& o) {
         tracers += fmt::format("\n  {}: {}", tracer.name, tracer.summary);
         names.emplace_back(tracer.name);
     }
-    command.add_option("--tracer", o.tracer, tracers)->check(CLI::IsMember(names))->type_name("NAME");
+    command.add_option("--tracer", o.tracer, tracers)
+        ->check(CLI::IsMember(names))
+        ->type_name("NAME");
     add(command, "--steps", "N", "Most steps of a ray", [&o](const std::string& text) {
         const int value = whole(text, "--steps");
         if (value < 1 || value > 100000) {
-            throw CLI::ValidationError("--steps", text + " is out of range; it goes from 1 to 100000");
+            throw CLI::ValidationError("--steps",
+                                       text + " is out of range; it goes from 1 to 100000");
         }
         o.steps = value;
     });
@@ -230,7 +232,8 @@ bool apply(const RenderOptions& options, Input& input) {
         } else {
             std::string names;
             for (const field::Parameter& p : known) names += (names.empty() ? "" : ", ") + p.name;
-            fmt::print(stderr, "zeroset: error: --set: the formula has no parameter '{}'; it has {}\n",
+            fmt::print(stderr,
+                       "zeroset: error: --set: the formula has no parameter '{}'; it has {}\n",
                        name, names.empty() ? "none besides t" : names);
             return false;
         }
@@ -246,8 +249,8 @@ bool apply(const RenderOptions& options, Input& input) {
     if (options.show_steps) d.settings.show_steps = true;
     d.settings.grid = false;
     const double aspect = static_cast<double>(options.width) / options.height;
-    scene::Camera camera = d.camera ? *d.camera
-                                    : scene::frame_all(d.bounds, aspect, options.fov.value_or(45));
+    scene::Camera camera =
+        d.camera ? *d.camera : scene::frame_all(d.bounds, aspect, options.fov.value_or(45));
     if (options.eye) camera.eye = *options.eye;
     if (options.target) camera.target = *options.target;
     if (options.up) camera.up = *options.up;

@@ -41,8 +41,8 @@ struct RenderOptions {
 /// Adds all of them to a subcommand. Values that make no sense are refused while parsing.
 void add_render_options(CLI::App& command, RenderOptions& options);
 
-/// Puts the options over the document of an input and completes its camera. False, after a report, if
-/// a parameter is named that the formula does not have, or eye and target are one.
+/// Puts the options over the document of an input and completes its camera. False, after a report,
+/// if a parameter is named that the formula does not have, or eye and target are one.
 bool apply(const RenderOptions& options, Input& input);
 
 }  // namespace cli

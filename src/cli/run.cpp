@@ -4,8 +4,8 @@
 #include <exception>
 #include <map>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "cli/check_command.h"
 #include "cli/emit_command.h"
@@ -29,7 +29,8 @@ CLI::App* add_render(CLI::App& app, Arguments& a) {
     CLI::App* command = app.add_subcommand("render", "Renders without a display");
     add_input_options(*command, a.input);
     add_render_options(*command, a.render);
-    command->add_option("-o,--output", a.outputs.picture, "The shaded picture")->type_name("FILE.png");
+    command->add_option("-o,--output", a.outputs.picture, "The shaded picture")
+        ->type_name("FILE.png");
     command
         ->add_option("--depth", a.outputs.depth,
                      "Distance from the eye along the unit ray; +infinity for a miss")
@@ -70,7 +71,8 @@ CLI::App* add_studio(CLI::App& app, Arguments& a) {
 }
 
 int studio_command(const Arguments& a) {
-    (void)a; base::Status status = base::error("no studio");
+    (void)a;
+    base::Status status = base::error("no studio");
     return status ? success : failed;
 }
 

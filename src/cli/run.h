@@ -11,7 +11,8 @@ enum Exit : int {
     usage = 2,   ///< wrong usage
 };
 
-/// Runs `zeroset`; results go to standard output, errors to standard error. Returns the exit status.
+/// Runs `zeroset`; results go to standard output, errors to standard error. Returns the exit
+/// status.
 int run(int argc, char** argv);
 
 }  // namespace cli

@@ -47,16 +47,13 @@ private:
 };
 
 /// The number in single precision, on the safe side of the rounding.
-float rounded_down(double value) {
-    return std::nextafter(static_cast<float>(value), 0.0F);
-}
-float rounded_up(double value) {
-    return std::nextafter(static_cast<float>(value), INFINITY);
-}
+float rounded_down(double value) { return std::nextafter(static_cast<float>(value), 0.0F); }
+float rounded_up(double value) { return std::nextafter(static_cast<float>(value), INFINITY); }
 
 float number(const FieldValue& value, Bounds& bounds, double expression) {
     switch (value.what) {
-        case FieldValue::What::expression: return static_cast<float>(expression);
+        case FieldValue::What::expression:
+            return static_cast<float>(expression);
         case FieldValue::What::inverse_lipschitz: {
             const double lipschitz = bounds.of(value.leaf).lipschitz;
             if (lipschitz == 0) return 1e30F;  // constant: no root anywhere
@@ -66,7 +63,8 @@ float number(const FieldValue& value, Bounds& bounds, double expression) {
             const double second = bounds.of(value.leaf).second_derivative;
             return second < 1e30 ? rounded_up(second) : -1.0F;
         }
-        case FieldValue::What::first_order: return bounds.of(value.leaf).stiff ? 1.0F : 0.0F;
+        case FieldValue::What::first_order:
+            return bounds.of(value.leaf).stiff ? 1.0F : 0.0F;
     }
     return 0;
 }

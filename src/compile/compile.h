@@ -27,8 +27,8 @@ struct Formula {
 /// Spans are bytes of the text. All problems are reported, not only the first.
 base::Result<Formula> compile_formula(std::string_view text);
 
-/// The program that draws this document's picture; depends on the formula and on what is switched on,
-/// never on a parameter's value. `outputs` says what is written per pixel.
+/// The program that draws this document's picture; depends on the formula and on what is switched
+/// on, never on a parameter's value. `outputs` says what is written per pixel.
 shader::ProgramSource program_source(const Formula& formula, const scene::Document& document,
                                      shader::Outputs outputs);
 

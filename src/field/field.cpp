@@ -31,9 +31,8 @@ void collect_leaves(const Field& field, FieldId id, std::vector<FieldId>& list) 
 
 /// A distance times the stretch; anything else keeps its value, whose sign is all that counts.
 NodeId stretched(Field& field, NodeId value, NodeId stretch) {
-    return field.graph.is_constant(stretch, 1)
-               ? value
-               : field.graph.apply(graph::Op::mul, value, stretch);
+    return field.graph.is_constant(stretch, 1) ? value
+                                               : field.graph.apply(graph::Op::mul, value, stretch);
 }
 
 Node mapped_leaf(Field& field, const Formula& leaf,
@@ -71,21 +70,20 @@ std::optional<Formula> composed(Field& field, FieldId id) {
                        distances ? Metric::distance : Metric::scalar, Kind::solid};
     };
     const Node node = field[id];
-    return std::visit(
-        Overloaded{
-            [](const Formula& leaf) -> std::optional<Formula> {
-                return leaf.kind == Kind::solid ? std::optional(leaf) : std::nullopt;
-            },
-            [&](const Union& u) { return binary(u.a, u.b, graph::Op::min); },
-            [&](const Intersection& i) { return binary(i.a, i.b, graph::Op::max); },
-            [&](const Complement& c) {
-                auto a = composed(field, c.a);
-                if (a) a->value = field.graph.apply(graph::Op::neg, a->value);
-                return a;
-            },
-            [](const auto&) -> std::optional<Formula> { return std::nullopt; },
-        },
-        node);
+    return std::visit(Overloaded{
+                          [](const Formula& leaf) -> std::optional<Formula> {
+                              return leaf.kind == Kind::solid ? std::optional(leaf) : std::nullopt;
+                          },
+                          [&](const Union& u) { return binary(u.a, u.b, graph::Op::min); },
+                          [&](const Intersection& i) { return binary(i.a, i.b, graph::Op::max); },
+                          [&](const Complement& c) {
+                              auto a = composed(field, c.a);
+                              if (a) a->value = field.graph.apply(graph::Op::neg, a->value);
+                              return a;
+                          },
+                          [](const auto&) -> std::optional<Formula> { return std::nullopt; },
+                      },
+                      node);
 }
 
 }  // namespace
@@ -110,13 +108,19 @@ std::vector<FieldId> leaves(const Field& field, FieldId id) {
 
 FieldId map_domain(Field& field, FieldId id, const std::array<NodeId, 3>& point, NodeId stretch) {
     const std::array<std::pair<graph::VariableId, NodeId>, 3> replacements{
-        {{graph::variable_x, point[0]}, {graph::variable_y, point[1]}, {graph::variable_z, point[2]}}};
+        {{graph::variable_x, point[0]},
+         {graph::variable_y, point[1]},
+         {graph::variable_z, point[2]}}};
     const Node node = field[id];  // a copy: adding nodes moves them
     const auto map = [&](FieldId child) { return map_domain(field, child, point, stretch); };
     Node result = std::visit(
         Overloaded{
-            [&](const Union& n) -> Node { return Union{map(n.a), map(n.b)}; },
-            [&](const Intersection& n) -> Node { return Intersection{map(n.a), map(n.b)}; },
+            [&](const Union& n) -> Node {
+                return Union{map(n.a), map(n.b)};
+            },
+            [&](const Intersection& n) -> Node {
+                return Intersection{map(n.a), map(n.b)};
+            },
             [&](const Complement& n) -> Node { return Complement{map(n.a)}; },
             [&](const SmoothUnion& n) -> Node {
                 return SmoothUnion{map(n.a), map(n.b), stretched(field, n.k, stretch)};
@@ -138,8 +142,7 @@ FieldId smooth_union(Field& field, FieldId a, FieldId b, NodeId k) {
     const graph::Expr overlap = max(width - abs(f - h), 0.0) / width;
     const graph::Expr blend = min(f, h) - overlap * overlap * width * 0.25;
     const bool distances = left->metric == Metric::distance && right->metric == Metric::distance;
-    return field.add(
-        Formula{blend.id, distances ? Metric::distance : Metric::scalar, Kind::solid});
+    return field.add(Formula{blend.id, distances ? Metric::distance : Metric::scalar, Kind::solid});
 }
 
 }  // namespace field

@@ -128,8 +128,8 @@ FieldId menger(Field& field, std::span<const NodeId> arguments) {
     const Expr y = b.point(graph::variable_y);
     const Expr z = b.point(graph::variable_z);
     const Expr qx = abs(x) - 1.0, qy = abs(y) - 1.0, qz = abs(z) - 1.0;
-    const Expr cube = min(max(qx, max(qy, qz)), 0.0) +
-                      hypot(max(qx, 0.0), max(qy, 0.0), max(qz, 0.0));
+    const Expr cube =
+        min(max(qx, max(qy, qz)), 0.0) + hypot(max(qx, 0.0), max(qy, 0.0), max(qz, 0.0));
     const Expr distance = b.state("distance", cube);
     const Expr scale = b.state("scale", b.number(1));
     // In each coordinate how far from the cell's middle third, in thirds: above 1 in the middle.

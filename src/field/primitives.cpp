@@ -30,9 +30,7 @@ FieldId distance(Field& field, Expr value) {
 }
 
 /// The exact distance of a box in the plane from the signed distances to its two pairs of walls.
-Expr rectangle(Expr a, Expr b) {
-    return min(max(a, b), 0.0) + hypot(max(a, 0.0), max(b, 0.0));
-}
+Expr rectangle(Expr a, Expr b) { return min(max(a, b), 0.0) + hypot(max(a, 0.0), max(b, 0.0)); }
 
 FieldId sphere(Field& field, Arguments a) {
     const auto [x, y, z] = point_of(field);
@@ -44,20 +42,20 @@ FieldId box(Field& field, Arguments a) {
     const Expr qx = abs(x) - Expr(field.graph, a[0]);
     const Expr qy = abs(y) - Expr(field.graph, a[1]);
     const Expr qz = abs(z) - Expr(field.graph, a[2]);
-    return distance(field, min(max(qx, max(qy, qz)), 0.0) +
-                               hypot(max(qx, 0.0), max(qy, 0.0), max(qz, 0.0)));
+    return distance(
+        field, min(max(qx, max(qy, qz)), 0.0) + hypot(max(qx, 0.0), max(qy, 0.0), max(qz, 0.0)));
 }
 
 FieldId torus(Field& field, Arguments a) {
     const auto [x, y, z] = point_of(field);
-    return distance(field, hypot(hypot(x, y) - Expr(field.graph, a[0]), z) -
-                               Expr(field.graph, a[1]));
+    return distance(field,
+                    hypot(hypot(x, y) - Expr(field.graph, a[0]), z) - Expr(field.graph, a[1]));
 }
 
 FieldId cylinder(Field& field, Arguments a) {
     const auto [x, y, z] = point_of(field);
-    return distance(field, rectangle(hypot(x, y) - Expr(field.graph, a[0]),
-                                     abs(z) - Expr(field.graph, a[1])));
+    return distance(
+        field, rectangle(hypot(x, y) - Expr(field.graph, a[0]), abs(z) - Expr(field.graph, a[1])));
 }
 
 FieldId cone(Field& field, Arguments a) {
@@ -88,8 +86,8 @@ FieldId plane(Field& field, Arguments a) {
     const auto [x, y, z] = point_of(field);
     const Expr nx(field.graph, a[0]), ny(field.graph, a[1]), nz(field.graph, a[2]);
     const Expr length = hypot(nx, ny, nz);
-    return distance(field, nx / length * x + ny / length * y + nz / length * z -
-                               Expr(field.graph, a[3]));
+    return distance(field,
+                    nx / length * x + ny / length * y + nz / length * z - Expr(field.graph, a[3]));
 }
 
 // Sorted by name.
@@ -136,9 +134,7 @@ const std::array<Primitive, 10> table{{
 
 }  // namespace
 
-std::span<const Primitive> primitives() {
-    return table;
-}
+std::span<const Primitive> primitives() { return table; }
 
 const Primitive* find_primitive(std::string_view name) {
     const auto found = std::ranges::find(table, name, &Primitive::name);

@@ -12,6 +12,19 @@
 #include "formula/limits.h"
 #include "formula/number.h"
 
+namespace boost::spirit::x3 {
+
+/// A parser with an action is called what the parser is called.
+template <class Subject, class Action>
+struct get_info<action<Subject, Action>> {
+    using result_type = std::string;
+    std::string operator()(const action<Subject, Action>& parser) const {
+        return what(parser.subject);
+    }
+};
+
+}  // namespace boost::spirit::x3
+
 namespace formula {
 namespace {
 

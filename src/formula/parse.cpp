@@ -46,8 +46,7 @@ struct Reader {
     }
 
     void add_parameter(const StatementText& statement) {
-        auto parameter =
-            accept<ParameterDeclaration>(statement, statement.span(), parse_parameter);
+        auto parameter = accept<ParameterDeclaration>(statement, statement.span(), parse_parameter);
         if (!parameter) {
             parameter.emplace();
             if (statement.tokens.size() > 1 && statement.tokens[1].kind == Token::Kind::name) {

@@ -44,9 +44,7 @@ NodeId Graph::intern(const Node& node) {
     return place->second;
 }
 
-NodeId Graph::constant(double value) {
-    return intern({.op = Op::constant, .value = value});
-}
+NodeId Graph::constant(double value) { return intern({.op = Op::constant, .value = value}); }
 
 NodeId Graph::variable(VariableId id) {
     assert(index(id) < variable_names_.size());

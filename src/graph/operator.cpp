@@ -16,8 +16,6 @@ constexpr std::array<OperatorFacts, operator_count> table = {{
 
 }  // namespace
 
-const OperatorFacts& facts(Op op) {
-    return table[static_cast<std::size_t>(op)];
-}
+const OperatorFacts& facts(Op op) { return table[static_cast<std::size_t>(op)]; }
 
 }  // namespace graph

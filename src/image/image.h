@@ -19,8 +19,7 @@ struct Image {
     static constexpr int channels = Channels;
 
     Image() = default;
-    Image(int w, int h)
-        : width(w), height(h), values(static_cast<std::size_t>(w) * h * Channels) {}
+    Image(int w, int h) : width(w), height(h), values(static_cast<std::size_t>(w) * h * Channels) {}
 
     Value* at(int x, int y) {
         return &values[(static_cast<std::size_t>(y) * width + x) * Channels];

@@ -59,9 +59,7 @@ struct Header {
     std::size_t size = 0;  ///< bytes up to the first float
 };
 
-bool is_space(char c) {
-    return c == ' ' || c == '\n' || c == '\r' || c == '\t';
-}
+bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
 /// The next word, and exactly one white space after it.
 std::string_view next_word(std::string_view bytes, std::size_t& at) {
@@ -137,9 +135,7 @@ base::Status write_pfm(const std::filesystem::path& path, const Vectors& image) 
     return write(path, image);
 }
 
-base::Result<Grey> read_pfm_grey(const std::filesystem::path& path) {
-    return read<Grey>(path);
-}
+base::Result<Grey> read_pfm_grey(const std::filesystem::path& path) { return read<Grey>(path); }
 
 base::Result<Vectors> read_pfm_vectors(const std::filesystem::path& path) {
     return read<Vectors>(path);

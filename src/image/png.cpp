@@ -55,7 +55,8 @@ base::Result<Picture> read_png(const std::filesystem::path& path) {
     if (!file) return file.problems();
     Control control;
     if (!png_image_begin_read_from_memory(&control.image, file->data(), file->size())) {
-        return problem("read", path, fmt::format("it is not a PNG file ({})", control.image.message));
+        return problem("read", path,
+                       fmt::format("it is not a PNG file ({})", control.image.message));
     }
     const std::size_t pixels = std::size_t{control.image.width} * control.image.height;
     if (pixels > most_pixels) return problem("read", path, "the picture is too large");
@@ -63,8 +64,8 @@ base::Result<Picture> read_png(const std::filesystem::path& path) {
     control.image.format = PNG_FORMAT_RGBA;
     std::vector<std::uint8_t> values(PNG_IMAGE_SIZE(control.image));
     if (!png_image_finish_read(&control.image, nullptr, values.data(), 0, nullptr)) {
-        return problem("read", path, fmt::format("the PNG file is damaged ({})",
-                                                 control.image.message));
+        return problem("read", path,
+                       fmt::format("the PNG file is damaged ({})", control.image.message));
     }
     Picture picture(static_cast<int>(control.image.width), static_cast<int>(control.image.height));
     for (std::size_t i = 0; i < pixels; ++i) {

@@ -19,34 +19,25 @@ using graph::Op;
 /// A derivative; empty is zero by structure, so that no product with 0 is ever built.
 using Slope = std::optional<Expr>;
 
-Slope operator-(const Slope& a) {
-    return a ? Slope(-*a) : a;
-}
-Slope operator+(const Slope& a, const Slope& b) {
-    return a && b ? Slope(*a + *b) : (a ? a : b);
-}
-Slope operator-(const Slope& a, const Slope& b) {
-    return a && b ? Slope(*a - *b) : (a ? a : -b);
-}
+Slope operator-(const Slope& a) { return a ? Slope(-*a) : a; }
+Slope operator+(const Slope& a, const Slope& b) { return a && b ? Slope(*a + *b) : (a ? a : b); }
+Slope operator-(const Slope& a, const Slope& b) { return a && b ? Slope(*a - *b) : (a ? a : -b); }
 Slope operator*(const Slope& a, Expr factor) {
     if (!a) return a;
     if (a->graph->is_constant(a->id, 1)) return factor;
     return *a * factor;
 }
-Slope operator/(const Slope& a, Expr divisor) {
-    return a ? Slope(*a / divisor) : a;
-}
+Slope operator/(const Slope& a, Expr divisor) { return a ? Slope(*a / divisor) : a; }
 
-Expr or_zero(Graph& graph, const Slope& a) {
-    return a ? *a : Expr(graph, 0.0);
-}
+Expr or_zero(Graph& graph, const Slope& a) { return a ? *a : Expr(graph, 0.0); }
 
 Slope select(Graph& graph, Expr less, Expr than, const Slope& then, const Slope& otherwise) {
     if (!then && !otherwise) return std::nullopt;
     return select_less(less, than, or_zero(graph, then), or_zero(graph, otherwise));
 }
 
-/// The chain rule for one node: f is the node, a to d are its arguments, da to dd their derivatives.
+/// The chain rule for one node: f is the node, a to d are its arguments, da to dd their
+/// derivatives.
 struct Chain {
     Graph& graph;
     Expr f, a, b, c;
@@ -59,45 +50,71 @@ struct Chain {
     Slope angle() const {  // f = atan2(a, b)
         return (da * b - db * a) / (a * a + b * b);
     }
-    Slope length3() const {
-        return da * ratio(a, f) + db * ratio(b, f) + dc * ratio(c, f);
-    }
+    Slope length3() const { return da * ratio(a, f) + db * ratio(b, f) + dc * ratio(c, f); }
 
     Slope of(Op op) const {
         switch (op) {
             case Op::constant:
             case Op::variable:
-            case Op::parameter: return std::nullopt;  // handled by the caller
-            case Op::neg: return -da;
-            case Op::add: return da + db;
-            case Op::sub: return da - db;
-            case Op::mul: return a.id == b.id ? da * (2.0 * a) : da * b + db * a;
+            case Op::parameter:
+                return std::nullopt;  // handled by the caller
+            case Op::neg:
+                return -da;
+            case Op::add:
+                return da + db;
+            case Op::sub:
+                return da - db;
+            case Op::mul:
+                return a.id == b.id ? da * (2.0 * a) : da * b + db * a;
             case Op::div:
-            case Op::ratio: return (da - db * f) / b;
-            case Op::pow: return power();
-            case Op::sqrt: return da * (0.5 / f);
-            case Op::cbrt: return da / (3.0 * f * f);
-            case Op::hypot: return da * ratio(a, f) + db * ratio(b, f);
-            case Op::hypot3: return length3();
-            case Op::sin: return da * cos(a);
-            case Op::cos: return -(da * sin(a));
-            case Op::tan: return da * (1.0 + f * f);
-            case Op::asin: return da / sqrt(1.0 - a * a);
-            case Op::acos: return -(da / sqrt(1.0 - a * a));
-            case Op::atan: return da / (1.0 + a * a);
-            case Op::atan2: return angle();
-            case Op::sinh: return da * apply(Op::cosh, a);
-            case Op::cosh: return da * apply(Op::sinh, a);
-            case Op::tanh: return da * (1.0 - f * f);
-            case Op::exp: return da * f;
-            case Op::log: return da / a;
-            case Op::abs: return da * sign(a);
+            case Op::ratio:
+                return (da - db * f) / b;
+            case Op::pow:
+                return power();
+            case Op::sqrt:
+                return da * (0.5 / f);
+            case Op::cbrt:
+                return da / (3.0 * f * f);
+            case Op::hypot:
+                return da * ratio(a, f) + db * ratio(b, f);
+            case Op::hypot3:
+                return length3();
+            case Op::sin:
+                return da * cos(a);
+            case Op::cos:
+                return -(da * sin(a));
+            case Op::tan:
+                return da * (1.0 + f * f);
+            case Op::asin:
+                return da / sqrt(1.0 - a * a);
+            case Op::acos:
+                return -(da / sqrt(1.0 - a * a));
+            case Op::atan:
+                return da / (1.0 + a * a);
+            case Op::atan2:
+                return angle();
+            case Op::sinh:
+                return da * apply(Op::cosh, a);
+            case Op::cosh:
+                return da * apply(Op::sinh, a);
+            case Op::tanh:
+                return da * (1.0 - f * f);
+            case Op::exp:
+                return da * f;
+            case Op::log:
+                return da / a;
+            case Op::abs:
+                return da * sign(a);
             case Op::sign:
             case Op::floor:
-            case Op::ceil: return std::nullopt;
-            case Op::min: return select(graph, b, a, db, da);
-            case Op::max: return select(graph, a, b, db, da);
-            case Op::select_less: return select(graph, a, b, dc, dd);
+            case Op::ceil:
+                return std::nullopt;
+            case Op::min:
+                return select(graph, b, a, db, da);
+            case Op::max:
+                return select(graph, a, b, db, da);
+            case Op::select_less:
+                return select(graph, a, b, dc, dd);
         }
         return std::nullopt;
     }

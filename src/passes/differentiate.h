@@ -8,9 +8,9 @@
 
 namespace passes {
 
-/// The partial derivative by a variable. At kinks the derivative of one side: of min and max that of
-/// the first argument where both are equal, of abs 0; of floor, ceil and sign it is 0 everywhere. A
-/// length (hypot) has the derivative 0 where it is 0.
+/// The partial derivative by a variable. At kinks the derivative of one side: of min and max that
+/// of the first argument where both are equal, of abs 0; of floor, ceil and sign it is 0
+/// everywhere. A length (hypot) has the derivative 0 where it is 0.
 graph::NodeId differentiate(graph::Graph& graph, graph::NodeId root, graph::VariableId by);
 
 /// The partial derivatives by x, y and z, passed through the passes.

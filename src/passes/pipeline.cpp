@@ -10,18 +10,14 @@ namespace passes {
 namespace {
 
 constexpr Pass order[] = {
-    {"fold constants", fold_constants},
-    {"expand powers", expand_powers},
-    {"recognise lengths", recognise_hypot},
-    {"simplify", simplify},
+    {"fold constants", fold_constants},       {"expand powers", expand_powers},
+    {"recognise lengths", recognise_hypot},   {"simplify", simplify},
     {"fold constants again", fold_constants},
 };
 
 }  // namespace
 
-std::span<const Pass> pipeline() {
-    return order;
-}
+std::span<const Pass> pipeline() { return order; }
 
 void run(field::Field& field) {
     for (const Pass& pass : order) rewrite(field, pass.rule);

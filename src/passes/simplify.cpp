@@ -9,9 +9,7 @@ using graph::Node;
 using graph::NodeId;
 using graph::Op;
 
-NodeId argument(const Graph& graph, NodeId id, std::size_t i) {
-    return graph[id].arguments[i];
-}
+NodeId argument(const Graph& graph, NodeId id, std::size_t i) { return graph[id].arguments[i]; }
 
 NodeId sum(Graph& graph, NodeId id, NodeId a, NodeId b) {
     if (graph.is_constant(b, 0)) return a;

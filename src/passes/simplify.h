@@ -6,9 +6,9 @@
 
 namespace passes {
 
-/// Rule: drops neutral operands (x + 0, x * 1, x / 1, x - 0), double negations, and joins a sign with
-/// a sum (x + -y, x - -y, x * -1, abs(-x)). Exact, but for the sign of a zero (x + 0 where x is -0).
-/// A product with 0 stays: it is undefined where the other factor is.
+/// Rule: drops neutral operands (x + 0, x * 1, x / 1, x - 0), double negations, and joins a sign
+/// with a sum (x + -y, x - -y, x * -1, abs(-x)). Exact, but for the sign of a zero (x + 0 where x
+/// is -0). A product with 0 stays: it is undefined where the other factor is.
 graph::NodeId simplify(graph::Graph& graph, graph::NodeId id);
 
 }  // namespace passes

@@ -23,9 +23,7 @@ bool is_finite(const dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-double radians(double degrees) {
-    return degrees * (std::acos(-1.0) / 180);
-}
+double radians(double degrees) { return degrees * (std::acos(-1.0) / 180); }
 
 /// The vector divided by its length, or the other one where it has none.
 dvec3 direction_or(const dvec3& v, const dvec3& otherwise) {
@@ -105,8 +103,8 @@ Camera orbit(const Camera& camera, double yaw, double pitch) {
     const double limit = std::acos(0.0) - pole_distance;
     const double elevation = std::clamp(std::asin(height) + pitch, -limit, limit);
     Camera result = camera;
-    result.eye = camera.target +
-                 distance * (std::cos(elevation) * turned + std::sin(elevation) * pole);
+    result.eye =
+        camera.target + distance * (std::cos(elevation) * turned + std::sin(elevation) * pole);
     return result;
 }
 

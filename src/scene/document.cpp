@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The document's camera.
 #include "scene/document.h"
 
 namespace scene {

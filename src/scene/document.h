@@ -30,8 +30,8 @@ struct Light {
 /// Blinn-Phong. Object k of a scene uses material k modulo their number.
 struct Material {
     glm::dvec3 colour{0.85, 0.55, 0.25};
-    double specular = 0.35;   ///< strength of the highlight
-    double shininess = 48;    ///< its exponent
+    double specular = 0.35;  ///< strength of the highlight
+    double shininess = 48;   ///< its exponent
 
     friend bool operator==(const Material&, const Material&) = default;
 };
@@ -49,10 +49,10 @@ struct Environment {
 /// How the picture is made. The names are those of the preset and of the command line.
 struct Settings {
     std::string tracer = "auto";
-    int steps = 512;          ///< at most so many per ray
-    double lipschitz = 1;     ///< every step is divided by it: above 1 slower and safer
-    double epsilon = 0.1;     ///< a hit is closer than this part of a pixel's footprint
-    double shadow = 12;       ///< shadow factor k: small is soft, large is hard
+    int steps = 512;       ///< at most so many per ray
+    double lipschitz = 1;  ///< every step is divided by it: above 1 slower and safer
+    double epsilon = 0.1;  ///< a hit is closer than this part of a pixel's footprint
+    double shadow = 12;    ///< shadow factor k: small is soft, large is hard
     bool shadows = true;
     bool ambient_occlusion = true;
     bool grid = false;        ///< the ground grid
@@ -65,11 +65,11 @@ struct Settings {
 struct Document {
     std::string title;
     std::string description;
-    std::string formula;                        ///< lines separated by '\n'
-    std::map<std::string, double> parameters;   ///< those moved away from the formula's defaults
-    double time = 0;                            ///< t in seconds
+    std::string formula;                       ///< lines separated by '\n'
+    std::map<std::string, double> parameters;  ///< those moved away from the formula's defaults
+    double time = 0;                           ///< t in seconds
     Bounds bounds;
-    std::optional<Camera> camera;               ///< none: frame_all
+    std::optional<Camera> camera;  ///< none: frame_all
     std::vector<Light> lights{Light{}};
     std::vector<Material> materials{Material{}};  ///< at least one
     Environment environment;

@@ -41,16 +41,13 @@ std::string quote(std::string_view text) {
     return out + '"';
 }
 
-bool is_scalar(const Json& json) {
-    return json.kind != Kind::list && json.kind != Kind::object;
-}
+bool is_scalar(const Json& json) { return json.kind != Kind::list && json.kind != Kind::object; }
 
 bool is_short(const Json& json) {
     switch (json.kind) {
         case Kind::list:
-            return std::all_of(json.elements.begin(), json.elements.end(), [](const Json& e) {
-                return is_scalar(e) && e.kind != Kind::text;
-            });
+            return std::all_of(json.elements.begin(), json.elements.end(),
+                               [](const Json& e) { return is_scalar(e) && e.kind != Kind::text; });
         case Kind::object:
             return json.members.empty() ||
                    (json.members.size() == 1 && json.members[0].value.kind != Kind::object &&
@@ -58,7 +55,8 @@ bool is_short(const Json& json) {
         case Kind::null:
         case Kind::boolean:
         case Kind::number:
-        case Kind::text: break;
+        case Kind::text:
+            break;
     }
     return true;
 }
@@ -112,10 +110,14 @@ std::string print_json(const Json& json) {
 std::string print_json_compact(const Json& json) {
     std::string out;
     switch (json.kind) {
-        case Kind::null: return "null";
-        case Kind::boolean: return json.truth ? "true" : "false";
-        case Kind::number: return json.text;
-        case Kind::text: return quote(json.text);
+        case Kind::null:
+            return "null";
+        case Kind::boolean:
+            return json.truth ? "true" : "false";
+        case Kind::number:
+            return json.text;
+        case Kind::text:
+            return quote(json.text);
         case Kind::list:
             for (const Json& e : json.elements) {
                 out += (out.empty() ? "" : ", ") + print_json_compact(e);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Finding out what somebody meant where JSON ends: by the place, the token there, and what came
+// before.
 #include "scene/json_syntax.h"
 
 #include <algorithm>
@@ -14,17 +16,11 @@ namespace {
 
 using After = JsonStop::After;
 
-bool is_space(char c) {
-    return c == ' ' || c == '\n' || c == '\r' || c == '\t';
-}
+bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_number_part(char c) {
     return is_digit(c) || is_letter(c) || c == '.' || c == '+' || c == '-';
@@ -55,24 +51,26 @@ std::optional<base::Diagnostic> text_problem(std::string_view text, std::size_t 
     constexpr std::string_view escapes = "\"\\/bfnrtu";
     for (std::size_t at = begin + 1; at < text.size() && text[at] != '"'; ++at) {
         if (static_cast<unsigned char>(text[at]) < 0x20) {
-            return base::error(span_of(begin, at),
-                               text[at] == '\n' || text[at] == '\r'
-                                   ? "a text must be closed with '\"' on its own line; write \\n for "
-                                     "a line break in it"
-                                   : "a text cannot hold a control character such as a tab; write "
-                                     "\\t for a tab");
+            return base::error(
+                span_of(begin, at),
+                text[at] == '\n' || text[at] == '\r'
+                    ? "a text must be closed with '\"' on its own line; write \\n for "
+                      "a line break in it"
+                    : "a text cannot hold a control character such as a tab; write "
+                      "\\t for a tab");
         }
         if (text[at] != '\\') continue;
         ++at;
         if (at >= text.size()) break;
         if (escapes.find(text[at]) == std::string_view::npos) {
-            return base::error(span_of(at - 1, at + std::max<std::size_t>(1, utf8_length(text, at))),
-                               "this backslash has no meaning in a text; write \\\\ for a backslash");
+            return base::error(
+                span_of(at - 1, at + std::max<std::size_t>(1, utf8_length(text, at))),
+                "this backslash has no meaning in a text; write \\\\ for a backslash");
         }
         if (text[at] != 'u') continue;
         const std::string_view digits = text.substr(at + 1, 4);
-        const bool hexadecimal = digits.find_first_not_of("0123456789abcdefABCDEF") ==
-                                 std::string_view::npos;
+        const bool hexadecimal =
+            digits.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
         const bool surrogate = !digits.empty() && (digits[0] == 'd' || digits[0] == 'D');
         if (digits.size() < 4 || !hexadecimal) {
             return base::error(span_of(at - 1, at + 1), "\\u needs four hexadecimal digits");
@@ -148,7 +146,8 @@ std::string expectation(std::string_view text, const JsonStop& stop, std::size_t
     const bool closing = text[begin] == '}' || text[begin] == ']';
     const std::string_view container = stop.in_object ? "'}'" : "']'";
     switch (stop.after) {
-        case After::nothing: return "a preset begins with '{'";
+        case After::nothing:
+            return "a preset begins with '{'";
         case After::key:
             return between.find(':') == std::string_view::npos
                        ? "a ':' is missing after the name of a field"
@@ -161,14 +160,31 @@ std::string expectation(std::string_view text, const JsonStop& stop, std::size_t
             if (!comma) return fmt::format("a ',' or {} is missing", container);
             return stop.in_object ? "the name of a field in double quotes is missing"
                                   : "a value is missing";
-        case After::everything: return "there is more text after the end of the preset";
+        case After::everything:
+            return "there is more text after the end of the preset";
     }
     return {};
+}
+
+/// The parser takes the beginning of "01" or "1.2.3" for a number and stops at the rest.
+std::optional<base::Diagnostic> last_number_problem(std::string_view text, const JsonStop& stop) {
+    std::size_t begin = stop.last_end;
+    while (begin > 0 && is_number_part(text[begin - 1])) --begin;
+    if (begin == stop.last_end) return std::nullopt;
+    const std::string_view token = token_at(text, begin);
+    if (!is_digit(token[0]) && token[0] != '-') return std::nullopt;
+    if (const auto problem = token_problem(token)) {
+        return base::error(span_of(begin, begin + token.size()), *problem);
+    }
+    return std::nullopt;
 }
 
 }  // namespace
 
 base::Diagnostic explain_json_stop(std::string_view text, const JsonStop& stop) {
+    if (stop.after == After::value) {
+        if (const auto problem = last_number_problem(text, stop)) return *problem;
+    }
     std::size_t begin = stop.last_end;
     const auto between = [&](char c) { return is_space(c) || c == ',' || c == ':'; };
     while (begin + 1 < stop.consumed && between(text[begin])) ++begin;
@@ -184,10 +200,11 @@ base::Diagnostic explain_json_stop(std::string_view text, const JsonStop& stop) 
     if (const auto problem = token_problem(token)) return base::error(span, *problem);
     if (is_json_number(token) && stop.after != After::nothing) {
         const std::string_view gap = text.substr(stop.last_end, begin - stop.last_end);
-        const bool value_is_due =
-            !stop.in_object ? stop.after == After::opening || gap.find(',') != gap.npos
-                            : stop.after == After::key && gap.find(':') != gap.npos;
-        if (value_is_due) return base::error(span, fmt::format("the number {} is too large", token));
+        const bool value_is_due = !stop.in_object
+                                      ? stop.after == After::opening || gap.find(',') != gap.npos
+                                      : stop.after == After::key && gap.find(':') != gap.npos;
+        if (value_is_due)
+            return base::error(span, fmt::format("the number {} is too large", token));
     }
     return base::error(span, expectation(text, stop, begin));
 }

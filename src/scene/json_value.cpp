@@ -52,9 +52,7 @@ Json* Json::find(std::string_view key) {
     return nullptr;
 }
 
-const Json* Json::find(std::string_view key) const {
-    return const_cast<Json*>(this)->find(key);
-}
+const Json* Json::find(std::string_view key) const { return const_cast<Json*>(this)->find(key); }
 
 void Json::add(std::string key, Json value) {
     members.push_back({std::move(key), {}, std::move(value)});

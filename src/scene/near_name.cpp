@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Edit distance between names.
 #include "scene/near_name.h"
 
 #include <algorithm>
@@ -7,9 +8,7 @@
 namespace scene {
 namespace {
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 /// The optimal string alignment distance; three rows of its table are enough.
 std::size_t distance(std::string_view a, std::string_view b) {

@@ -30,8 +30,8 @@ struct Preset {
 /// a truncated text and a newer version are errors.
 base::Result<Preset> read_preset(std::string_view text);
 
-/// The preset's text: two spaces of indentation, fixed order of fields, numbers in the shortest form
-/// that reads back the same, only what differs from the defaults, a newline at the end.
+/// The preset's text: two spaces of indentation, fixed order of fields, numbers in the shortest
+/// form that reads back the same, only what differs from the defaults, a newline at the end.
 std::string write_preset(const Document& document);
 
 /// A larger preset file is not read (base::read_text).

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Reading and writing of the bounds.
 #include "scene/preset_bounds.h"
 
 #include "scene/preset_object.h"
@@ -22,15 +23,15 @@ void read_sphere(const Json& json, const Place& place, Reading& reading, Bounds&
         bounds = {Shape::sphere, glm::dvec3(0), glm::dvec3(radius)};
         return;
     }
-    const std::vector<double> n =
-        read_numbers(json, place, reading, "a radius or a list [x, y, z, radius]", 4, 4, range_of<1>);
+    const std::vector<double> n = read_numbers(
+        json, place, reading, "a radius or a list [x, y, z, radius]", 4, 4, range_of<1>);
     if (!n.empty()) bounds = {Shape::sphere, {n[0], n[1], n[2]}, glm::dvec3(n[3])};
 }
 
 void read_box(const Json& json, const Place& place, Reading& reading, Bounds& bounds) {
-    const std::vector<double> n =
-        read_numbers(json, place, reading,
-                     "a list [hx, hy, hz] of half extents or [x, y, z, hx, hy, hz]", 3, 6, range_of<3>);
+    const std::vector<double> n = read_numbers(
+        json, place, reading, "a list [hx, hy, hz] of half extents or [x, y, z, hx, hy, hz]", 3, 6,
+        range_of<3>);
     if (n.size() == 3) bounds = {Shape::box, glm::dvec3(0), {n[0], n[1], n[2]}};
     if (n.size() == 6) bounds = {Shape::box, {n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
 }

@@ -22,8 +22,8 @@ inline constexpr Range position_range{-1e6, 1e6};
 inline constexpr Range size_range{1e-6, 1e6};
 inline constexpr Range colour_range{0, 100};
 
-/// A field of an object that is a member of a type. The range is for numbers, and for each component
-/// of vectors.
+/// A field of an object that is a member of a type. The range is for numbers, and for each
+/// component of vectors.
 template <class Owner>
 struct Field {
     using Member = std::variant<bool Owner::*, int Owner::*, double Owner::*, std::string Owner::*,

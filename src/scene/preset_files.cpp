@@ -31,8 +31,7 @@ std::string name_of(const fs::path& relative) {
 
 /// The preset of a folder that a name means, or an empty path.
 fs::path look_up(const fs::path& folder, const std::string& name) {
-    const std::string wanted =
-        name.ends_with(".json") ? name.substr(0, name.size() - 5) : name;
+    const std::string wanted = name.ends_with(".json") ? name.substr(0, name.size() - 5) : name;
     for (const fs::path& relative : list_presets(folder)) {
         if (wanted == name_of(relative) || wanted == relative.stem().string()) {
             return folder / relative;

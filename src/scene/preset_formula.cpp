@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Reading and writing of the formula, line by line.
 #include "scene/preset_formula.h"
 
 #include <algorithm>

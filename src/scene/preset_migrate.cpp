@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The steps from each version to the next.
 #include "scene/preset_migrate.h"
 
 #include <array>

@@ -43,8 +43,9 @@ bool read_object(const Json& json, const Fields& fields, const Place& place, Rea
         for (const auto& field : fields) {
             if (field.name != member.key) continue;
             found = true;
-            std::visit([&](auto at) { read_value(member.value, field.range, here, reading, owner.*at); },
-                       field.member);
+            std::visit(
+                [&](auto at) { read_value(member.value, field.range, here, reading, owner.*at); },
+                field.member);
         }
         if (!found) reading.keep_unknown(member, here, known);
     }

@@ -30,10 +30,11 @@ base::Result<int> read_version(const Json& json) {
     const bool whole = version->kind == Kind::number && version->number >= 1 &&
                        version->number == std::floor(version->number);
     if (!whole) {
-        return base::error(version->span,
-                           fmt::format("'zeroset' must be the version of the preset, a whole number "
-                                       "from 1 to {}, not {}",
-                                       preset_version, print_json_compact(*version)));
+        return base::error(
+            version->span,
+            fmt::format("'zeroset' must be the version of the preset, a whole number "
+                        "from 1 to {}, not {}",
+                        preset_version, print_json_compact(*version)));
     }
     if (version->number > preset_version) {
         return base::error(version->span,
@@ -46,9 +47,8 @@ base::Result<int> read_version(const Json& json) {
 
 /// Problems in the order of their places.
 void sort(base::Diagnostics& diagnostics) {
-    std::stable_sort(diagnostics.begin(), diagnostics.end(), [](const auto& a, const auto& b) {
-        return a.span->begin < b.span->begin;
-    });
+    std::stable_sort(diagnostics.begin(), diagnostics.end(),
+                     [](const auto& a, const auto& b) { return a.span->begin < b.span->begin; });
 }
 
 }  // namespace
@@ -69,9 +69,8 @@ base::Result<Preset> read_preset(std::string_view text) {
     for (const Section& section : sections()) known.emplace_back(section.name);
     for (const JsonMember& member : json.members) {
         const Place place = root.member(member.key);
-        const auto section = std::find_if(sections().begin(), sections().end(), [&](const Section& s) {
-            return s.name == member.key;
-        });
+        const auto section = std::find_if(sections().begin(), sections().end(),
+                                          [&](const Section& s) { return s.name == member.key; });
         if (section != sections().end()) {
             section->read(member.value, place, reading, preset.document);
         } else if (member.key != "zeroset") {

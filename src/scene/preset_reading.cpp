@@ -25,15 +25,19 @@ std::string shortened(std::string_view text) {
 
 std::string describe(const Json& json) {
     switch (json.kind) {
-        case Kind::null: return "null";
-        case Kind::boolean: return json.truth ? "true" : "false";
-        case Kind::number: return shortened(json.text);
-        case Kind::text: return print_json_compact(Json::of(shortened(json.text)));
+        case Kind::null:
+            return "null";
+        case Kind::boolean:
+            return json.truth ? "true" : "false";
+        case Kind::number:
+            return shortened(json.text);
+        case Kind::text:
+            return print_json_compact(Json::of(shortened(json.text)));
         case Kind::list:
-            return json.elements.empty()
-                       ? "an empty list"
-                       : fmt::format("a list of {}", json.elements.size());
-        case Kind::object: return "an object";
+            return json.elements.empty() ? "an empty list"
+                                         : fmt::format("a list of {}", json.elements.size());
+        case Kind::object:
+            return "an object";
     }
     return {};
 }
@@ -43,9 +47,7 @@ std::string with_range(std::string_view what, Range range) {
     return fmt::format("{} from {} to {}", what, range.least, range.greatest);
 }
 
-bool holds(Range range, double value) {
-    return value >= range.least && value <= range.greatest;
-}
+bool holds(Range range, double value) { return value >= range.least && value <= range.greatest; }
 
 }  // namespace
 
@@ -125,8 +127,7 @@ bool read_value(const Json& json, Range range, const Place& place, Reading& read
     return true;
 }
 
-bool read_value(const Json& json, Range, const Place& place, Reading& reading,
-                std::string& value) {
+bool read_value(const Json& json, Range, const Place& place, Reading& reading, std::string& value) {
     if (json.kind != Kind::text) {
         reading.expect(json, place, "text in quotes");
         return false;

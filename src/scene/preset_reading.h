@@ -12,7 +12,8 @@
 
 namespace scene {
 
-/// A value's place in a preset, for people ("lights[0].colour") and for machines ("/lights/0/colour").
+/// A value's place in a preset, for people ("lights[0].colour") and for machines
+/// ("/lights/0/colour").
 struct Place {
     std::string name;
     std::string pointer;
@@ -50,6 +51,7 @@ bool read_value(const Json& json, Range range, const Place& place, Reading& read
 /// with the given index.
 std::vector<double> read_numbers(const Json& json, const Place& place, Reading& reading,
                                  std::string_view expected, std::size_t length,
-                                 std::size_t other_length, Range (*range)(std::size_t, std::size_t));
+                                 std::size_t other_length,
+                                 Range (*range)(std::size_t, std::size_t));
 
 }  // namespace scene

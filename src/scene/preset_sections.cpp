@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The table of a preset's parts, and those parts that have no file of their own.
 #include "scene/preset_sections.h"
 
 #include <array>
@@ -63,7 +64,8 @@ void read_camera(const Json& json, const Place& place, Reading& reading, Documen
     if (!read_object(json, camera_fields, place, reading, camera)) return;
     const double size = 1 + glm::length(camera.eye) + glm::length(camera.target);
     if (glm::length(camera.eye - camera.target) < 1e-9 * size) {
-        reading.fail(*json.find("eye"), "'camera.eye' and 'camera.target' must be two points apart");
+        reading.fail(*json.find("eye"),
+                     "'camera.eye' and 'camera.target' must be two points apart");
     } else if (glm::length(camera.up) < 1e-9) {
         reading.fail(*json.find("up"), "'camera.up' must be a direction, not [0, 0, 0]");
     } else {
@@ -156,8 +158,6 @@ constexpr std::array table{
 
 }  // namespace
 
-std::span<const Section> sections() {
-    return table;
-}
+std::span<const Section> sections() { return table; }
 
 }  // namespace scene

@@ -15,8 +15,8 @@ namespace scene {
 struct Section {
     std::string_view name;
     void (*read)(const Json& json, const Place& place, Reading& reading, Document& document);
-    /// Nothing if the part is as by default, unless it is asked for because unknown fields belong to
-    /// it.
+    /// Nothing if the part is as by default, unless it is asked for because unknown fields belong
+    /// to it.
     std::optional<Json> (*write)(const Document& document, bool asked_for);
 };
 

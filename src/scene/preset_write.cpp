@@ -44,7 +44,8 @@ void insert(Json& root, std::string_view pointer, const std::string& text) {
     while (value && place && pointer.starts_with('/')) {
         const std::string key = next_key(pointer);
         if (pointer.empty()) {
-            if (place->kind == Kind::object && !place->find(key)) place->add(key, *std::move(value));
+            if (place->kind == Kind::object && !place->find(key))
+                place->add(key, *std::move(value));
             return;
         }
         place = child(*place, key);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The table of well-formed byte sequences of Unicode, chapter 3, as conditions.
 #include "scene/utf8.h"
 
 namespace scene {

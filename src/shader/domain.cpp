@@ -10,8 +10,7 @@ namespace {
 using graph::Op;
 
 bool is_partial(Op op) {
-    constexpr std::array partial{Op::div, Op::pow, Op::sqrt, Op::log,
-                                 Op::asin, Op::acos, Op::tan};
+    constexpr std::array partial{Op::div, Op::pow, Op::sqrt, Op::log, Op::asin, Op::acos, Op::tan};
     return std::ranges::find(partial, op) != partial.end();
 }
 

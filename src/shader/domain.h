@@ -7,8 +7,8 @@
 namespace shader {
 
 /// True if the expression holds an operator on the point that is not defined everywhere (division,
-/// root, logarithm, power, inverse sine or cosine, tangent): by structure, so a false alarm is possible
-/// and a miss is not, but for overflow.
+/// root, logarithm, power, inverse sine or cosine, tangent): by structure, so a false alarm is
+/// possible and a miss is not, but for overflow.
 bool may_be_undefined(const graph::Graph& graph, graph::NodeId root);
 
 }  // namespace shader

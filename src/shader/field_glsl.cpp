@@ -59,10 +59,11 @@ private:
     }
 
     ExpressionWriter writer() {
-        return {field_.graph,
-                depends_,
-                values_,
-                {{graph::variable_x, "p.x"}, {graph::variable_y, "p.y"}, {graph::variable_z, "p.z"}}};
+        return {
+            field_.graph,
+            depends_,
+            values_,
+            {{graph::variable_x, "p.x"}, {graph::variable_y, "p.y"}, {graph::variable_z, "p.z"}}};
     }
 
     void write_domain() {
@@ -105,9 +106,9 @@ private:
         const std::array roots{formula(i)->value, g[0], g[1], g[2]};
         out_.code += fmt::format("real value_{}(real3 p, out real3 g) {{\n", i);
         out_.code += w.statements(roots, "    ");
-        out_.code += fmt::format("    g = real3({}, {}, {});\n    return {};\n}}\n",
-                                 w.spelling(roots[1]), w.spelling(roots[2]), w.spelling(roots[3]),
-                                 w.spelling(roots[0]));
+        out_.code +=
+            fmt::format("    g = real3({}, {}, {});\n    return {};\n}}\n", w.spelling(roots[1]),
+                        w.spelling(roots[2]), w.spelling(roots[3]), w.spelling(roots[0]));
     }
 
     void write_distance(std::size_t i, const field::Formula& leaf) {
@@ -209,7 +210,8 @@ private:
             if (formula(i)) {
                 gradients += fmt::format("    if (object == {0}) value_{0}(p, g);\n", i);
             } else {
-                distances += fmt::format("    if (object == {0}) return value_{0}(p, inside);\n", i);
+                distances +=
+                    fmt::format("    if (object == {0}) return value_{0}(p, inside);\n", i);
             }
         }
         if (out_.has_iterations) {

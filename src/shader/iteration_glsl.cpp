@@ -17,10 +17,10 @@ std::vector<bool> depends_on(const graph::Graph& graph,
     std::vector<bool> depends(graph.size(), false);
     for (std::size_t i = 0; i < graph.size(); ++i) {
         const graph::Node& node = graph[static_cast<NodeId>(i)];
-        depends[i] = (node.op == Op::variable &&
-                      std::ranges::count(variables,
-                                         static_cast<graph::VariableId>(node.symbol)) > 0) ||
-                     std::ranges::any_of(node.args(), [&](NodeId a) { return depends[index(a)]; });
+        depends[i] =
+            (node.op == Op::variable &&
+             std::ranges::count(variables, static_cast<graph::VariableId>(node.symbol)) > 0) ||
+            std::ranges::any_of(node.args(), [&](NodeId a) { return depends[index(a)]; });
     }
     return depends;
 }
@@ -42,8 +42,7 @@ std::string iteration_body(const graph::Graph& graph, const field::Iteration& it
     const std::size_t size = iteration.state.size();
     std::vector<NodeId> inner = iteration.step;
     if (iteration.escape) inner.push_back(*iteration.escape);
-    std::vector<NodeId> outer =
-        loop_invariants(graph, inner, depends_on(graph, iteration.state));
+    std::vector<NodeId> outer = loop_invariants(graph, inner, depends_on(graph, iteration.state));
     outer.insert(outer.end(), iteration.start.begin(), iteration.start.end());
 
     std::string text = writer.statements(outer, "    ");
@@ -60,7 +59,8 @@ std::string iteration_body(const graph::Graph& graph, const field::Iteration& it
     text += writer.statements(inner, "        ");
     if (iteration.escape) {
         text += fmt::format(
-            "        if ({} > 0.0) {{\n            inside = false;\n            break;\n        }}\n",
+            "        if ({} > 0.0) {{\n            inside = false;\n            break;\n        "
+            "}}\n",
             writer.spelling(*iteration.escape));
     }
     for (std::size_t i = 0; i < size; ++i) {
@@ -74,8 +74,8 @@ std::string iteration_body(const graph::Graph& graph, const field::Iteration& it
     if (iteration.escape) after.push_back(*iteration.escape);
     text += writer.statements(after, "    ");
     if (iteration.escape) {
-        text += fmt::format("    if ({} > 0.0) inside = false;\n",
-                            writer.spelling(*iteration.escape));
+        text +=
+            fmt::format("    if ({} > 0.0) inside = false;\n", writer.spelling(*iteration.escape));
     }
     return text + fmt::format("    return {};\n", writer.spelling(iteration.distance));
 }

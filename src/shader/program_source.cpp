@@ -20,8 +20,9 @@ struct Tracer {
 };
 
 constexpr std::array<Tracer, 3> table{{
-    {{"auto", "certified steps from bounds of the first and second derivative, first order where "
-              "those are too large (default)"},
+    {{"auto",
+      "certified steps from bounds of the first and second derivative, first order where "
+      "those are too large (default)"},
      "step/auto.glsl"},
     {{"sphere", "sphere tracing: the value over the region's Lipschitz constant"},
      "step/sphere.glsl"},
@@ -30,7 +31,8 @@ constexpr std::array<Tracer, 3> table{{
 }};
 
 std::string_view step_part(std::string_view tracer) {
-    const auto found = std::ranges::find(table, tracer, [](const Tracer& t) { return t.name.name; });
+    const auto found =
+        std::ranges::find(table, tracer, [](const Tracer& t) { return t.name.name; });
     return found == table.end() ? table[0].step_part : found->step_part;
 }
 

@@ -22,7 +22,9 @@ void carry_out(Workspace& workspace, const PendingAction& action) {
                 workspace.report_problems(status.problems());
             }
             return;
-        case PendingAction::Kind::quit: workspace.quit = true; return;
+        case PendingAction::Kind::quit:
+            workspace.quit = true;
+            return;
     }
 }
 
@@ -54,8 +56,8 @@ void quick_screenshot(Workspace& workspace) {
 }
 
 void frame_all(Workspace& workspace) {
-    workspace.document.camera = scene::frame_from(
-        workspace.camera(), workspace.document.bounds, workspace.area.aspect());
+    workspace.document.camera =
+        scene::frame_from(workspace.camera(), workspace.document.bounds, workspace.area.aspect());
 }
 
 }  // namespace studio

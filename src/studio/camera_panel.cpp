@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The camera as numbers, and what the document says about itself.
-#include <glm/geometric.hpp>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+#include <glm/geometric.hpp>
 
 #include "studio/actions.h"
 #include "studio/panels.h"

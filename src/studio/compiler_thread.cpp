@@ -25,8 +25,7 @@ base::Result<std::unique_ptr<render::Program>> link_and_warm(
     auto linked = render::Program::link(gl, source);
     if (!linked) return linked.problems();
     auto program = std::make_unique<render::Program>(std::move(*linked));
-    auto canvas =
-        render::Canvas::create(gl, size, size, {.picture = true, .geometry = true});
+    auto canvas = render::Canvas::create(gl, size, size, {.picture = true, .geometry = true});
     if (!canvas) return canvas.problems();
     const render::Frame frame =
         render::frame(document, scene::camera_of(document, 1), render::whole(size, size));

@@ -23,9 +23,9 @@ struct Dialogs {
     Kind wanted = Kind::none;
     Kind shown = Kind::none;
 
-    std::string name;       ///< in "Open" and "Save as": what the user types
-    std::string problem;    ///< why the last attempt failed
-    bool overwrite = false; ///< "Save as" asks whether to replace the file
+    std::string name;        ///< in "Open" and "Save as": what the user types
+    std::string problem;     ///< why the last attempt failed
+    bool overwrite = false;  ///< "Save as" asks whether to replace the file
     std::optional<PendingAction> pending;
 
     int still_width = 1920, still_height = 1080;

@@ -19,12 +19,18 @@ namespace {
 
 const char* title_of(Dialogs::Kind kind) {
     switch (kind) {
-        case Dialogs::Kind::none: return "";
-        case Dialogs::Kind::open: return "Open";
-        case Dialogs::Kind::save_as: return "Save as";
-        case Dialogs::Kind::unsaved: return "Unsaved changes";
-        case Dialogs::Kind::screenshot: return "Screenshot";
-        case Dialogs::Kind::recover: return "Recover unsaved work";
+        case Dialogs::Kind::none:
+            return "";
+        case Dialogs::Kind::open:
+            return "Open";
+        case Dialogs::Kind::save_as:
+            return "Save as";
+        case Dialogs::Kind::unsaved:
+            return "Unsaved changes";
+        case Dialogs::Kind::screenshot:
+            return "Screenshot";
+        case Dialogs::Kind::recover:
+            return "Recover unsaved work";
     }
     return "";
 }
@@ -68,9 +74,9 @@ bool ask_name(Dialogs& dialogs, const char* hint) {
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 32);
     const std::string before = dialogs.name;
-    const bool enter = ImGui::InputTextWithHint("##name", hint, &dialogs.name,
-                                                ImGuiInputTextFlags_EnterReturnsTrue |
-                                                    ImGuiInputTextFlags_AutoSelectAll);
+    const bool enter = ImGui::InputTextWithHint(
+        "##name", hint, &dialogs.name,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (dialogs.name != before) {
         dialogs.overwrite = false;
         dialogs.problem.clear();
@@ -167,8 +173,8 @@ void show_screenshot(Workspace& workspace) {
     dialogs.still_width = std::clamp(dialogs.still_width, 1, render::largest_side);
     dialogs.still_height = std::clamp(dialogs.still_height, 1, render::largest_side);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 32);
-    const bool enter = ImGui::InputText("##path", &dialogs.still_path,
-                                        ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool enter =
+        ImGui::InputText("##path", &dialogs.still_path, ImGuiInputTextFlags_EnterReturnsTrue);
     show_problem(dialogs);
     const Choice choice = choose("Draw", workspace.scale);
     if (choice == Choice::cancel) return close(dialogs);
@@ -202,12 +208,18 @@ void show_recover(Workspace& workspace) {
 
 void show(Workspace& workspace, Dialogs::Kind kind) {
     switch (kind) {
-        case Dialogs::Kind::none: return;
-        case Dialogs::Kind::open: return show_open(workspace);
-        case Dialogs::Kind::save_as: return show_save_as(workspace);
-        case Dialogs::Kind::unsaved: return show_unsaved(workspace);
-        case Dialogs::Kind::screenshot: return show_screenshot(workspace);
-        case Dialogs::Kind::recover: return show_recover(workspace);
+        case Dialogs::Kind::none:
+            return;
+        case Dialogs::Kind::open:
+            return show_open(workspace);
+        case Dialogs::Kind::save_as:
+            return show_save_as(workspace);
+        case Dialogs::Kind::unsaved:
+            return show_unsaved(workspace);
+        case Dialogs::Kind::screenshot:
+            return show_screenshot(workspace);
+        case Dialogs::Kind::recover:
+            return show_recover(workspace);
     }
 }
 

@@ -33,8 +33,7 @@ bool is_below(const fs::path& file, const fs::path& folder) {
 }
 
 /// A problem of a file, with the place in it.
-std::string in_file(const base::Diagnostic& problem, const fs::path& file,
-                    std::string_view text) {
+std::string in_file(const base::Diagnostic& problem, const fs::path& file, std::string_view text) {
     if (!problem.span) return problem.message;
     const base::LineColumn place = base::line_column(text, problem.span->begin);
     return fmt::format("{}:{}:{}: {}", file.string(), place.line, place.column, problem.message);

@@ -54,8 +54,8 @@ int replace_text(ImGuiInputTextCallbackData* data) {
 void draw_line_numbers(const Workspace& workspace, ImVec2 corner, ImVec2 size, float scroll) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line_height = ImGui::GetTextLineHeight();
-    const auto lines = 1 + std::count(workspace.document.formula.begin(),
-                                      workspace.document.formula.end(), '\n');
+    const auto lines =
+        1 + std::count(workspace.document.formula.begin(), workspace.document.formula.end(), '\n');
     const auto marks = marked_lines(workspace);
     const float top = corner.y + ImGui::GetStyle().FramePadding.y - scroll;
     list.PushClipRect(corner, ImVec2(corner.x + size.x, corner.y + size.y), true);
@@ -84,8 +84,8 @@ void draw_marks(const Workspace& workspace, const ImGuiWindow& editor) {
         const bool is_error = mark.severity == base::Severity::error;
         const ImU32 tint = is_error ? IM_COL32(240, 80, 70, 46) : IM_COL32(232, 190, 90, 36);
         const ImU32 bar = is_error ? error_colour : warning_colour;
-        editor.DrawList->AddRectFilled(ImVec2(inner.Min.x, y),
-                                       ImVec2(inner.Max.x, y + line_height), tint);
+        editor.DrawList->AddRectFilled(ImVec2(inner.Min.x, y), ImVec2(inner.Max.x, y + line_height),
+                                       tint);
         editor.DrawList->AddRectFilled(ImVec2(inner.Min.x, y),
                                        ImVec2(inner.Min.x + 2, y + line_height), bar);
     }
@@ -113,17 +113,27 @@ void show_editor(Workspace& workspace, float height) {
     draw_line_numbers(workspace, corner, ImVec2(gutter, height), editor ? editor->Scroll.y : 0);
 }
 
-void show_diagnostic(const base::Diagnostic& diagnostic, const std::string& text) {
-    const std::string shown = base::format(diagnostic, "line", text);
-    const std::size_t first_end = std::min(shown.find('\n'), shown.size());
+/// The message with its line, wrapped to the panel; below it the source line and the caret.
+void show_diagnostic(const base::Diagnostic& diagnostic, const Workspace& workspace) {
+    const std::string& text = workspace.compilation.text;
     const bool is_error = diagnostic.severity == base::Severity::error;
+    std::string message = diagnostic.message;
+    if (diagnostic.span) {
+        const auto place = base::line_column(text, diagnostic.span->begin);
+        message = fmt::format("Line {}, column {}: {}", place.line, place.column, message);
+    }
     ImGui::PushStyleColor(ImGuiCol_Text, is_error ? error_colour : warning_colour);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(shown.c_str(), shown.c_str() + first_end);
+    ImGui::PushTextWrapPos(ImGui::GetScrollX() + ImGui::GetWindowWidth() -
+                           ImGui::GetStyle().ScrollbarSize);
+    ImGui::TextUnformatted(message.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
-    if (first_end + 1 < shown.size()) {
-        ImGui::TextUnformatted(shown.c_str() + first_end + 1, shown.c_str() + shown.size() - 1);
+    const std::string whole = base::format(diagnostic, "formula", text);
+    const std::size_t excerpt = std::min(whole.find('\n'), whole.size() - 1) + 1;
+    if (excerpt < whole.size()) {
+        ImGui::PushFont(workspace.monospaced);
+        ImGui::TextUnformatted(whole.c_str() + excerpt, whole.c_str() + whole.size() - 1);
+        ImGui::PopFont();
     }
     ImGui::Spacing();
 }
@@ -135,14 +145,8 @@ void show_verdict(const Workspace& workspace) {
     } else if (compilation.diagnostics.empty() && compilation.failures.empty()) {
         ImGui::TextDisabled(compilation.drawable ? "the formula is understood" : " ");
     }
-    ImGui::PushFont(workspace.monospaced);
-    for (const auto& diagnostic : compilation.failures) {
-        show_diagnostic(diagnostic, compilation.text);
-    }
-    for (const auto& diagnostic : compilation.diagnostics) {
-        show_diagnostic(diagnostic, compilation.text);
-    }
-    ImGui::PopFont();
+    for (const auto& diagnostic : compilation.failures) show_diagnostic(diagnostic, workspace);
+    for (const auto& diagnostic : compilation.diagnostics) show_diagnostic(diagnostic, workspace);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr const char* code_font = "/usr/share/fonts/truetype/dejavu/DejaVuSansMo
 
 /// The font of this file if it is there, else ImGui's own, which is monospaced.
 ImFont* load_font(const char* file, float pixels) {
-    static constexpr ImWchar ranges[] = {0x20, 0x17F, 0x370, 0x3FF, 0x2010, 0x2027,
+    static constexpr ImWchar ranges[] = {0x20,   0x17F,  0x370,  0x3FF,  0x2010, 0x2027,
                                          0x2070, 0x209F, 0x2190, 0x22FF, 0};
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     std::error_code none;

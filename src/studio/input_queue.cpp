@@ -11,8 +11,13 @@
 namespace studio {
 namespace {
 
+/// Linux's key code of the key Linefeed, which GLFW does not know; programs that type for people
+/// send it for the end of a line.
+constexpr int linefeed_scancode = 109;
+
 /// Shortcuts are meant by letter, GLFW's key codes by place: translate to the user's layout.
 int by_letter(int key, int scancode) {
+    if (key == GLFW_KEY_UNKNOWN && scancode == linefeed_scancode) return GLFW_KEY_ENTER;
     if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
     const char* name = glfwGetKeyName(key, scancode);
     if (!name || name[0] == '\0' || name[1] != '\0') return key;
@@ -58,8 +63,9 @@ InputQueue::InputQueue(GLFWwindow* window) : window_(window) {
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         of(w).push(Move{static_cast<float>(x), static_cast<float>(y)});
     });
-    glfwSetScrollCallback(window,
-                          [](GLFWwindow* w, double x, double y) { of(w).push(Scroll{x, y}); });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+        of(w).push(Scroll{x, y});
+    });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         if (!entered) of(w).push(Leave{});
     });
@@ -109,54 +115,58 @@ void InputQueue::feed() {
     for (int i = 0; i < 3; ++i) io.MouseDown[i] = buttons_[i];
 }
 
-/// Order counts: a click belongs to the place where the mouse was, a character to the text that the
-/// keys before it have left.
+/// Order counts: a click belongs to the place where the mouse was, and ImGui must have seen the
+/// mouse there one frame earlier; a character belongs to the text that the keys before it have
+/// left.
 bool InputQueue::fits(const Event& event, const Fed& fed) {
     return std::visit(
-        Overloaded{
-            [&](const Key& e) {
-                if (only_types(e.key, e.modifiers)) return fed.keys.empty();
-                if (is_modifier(e.key)) return fed.keys.empty() && !fed.character && !fed.button;
-                return !fed.keys.contains(e.key) && !fed.character;
-            },
-            [&](const Character&) { return !fed.shortcut_key; },
-            [&](const Button& e) { return !fed.buttons.contains(e.button) && !fed.scroll; },
-            [&](const Move&) { return !fed.button && !fed.scroll; },
-            [&](const Scroll&) { return !fed.button; }, [](const Focus&) { return true; },
-            [&](const Leave&) { return !fed.button && !fed.scroll; }},
+        Overloaded{[&](const Key& e) {
+                       if (only_types(e.key, e.modifiers)) return fed.keys.empty();
+                       if (is_modifier(e.key))
+                           return fed.keys.empty() && !fed.character && !fed.button;
+                       return !fed.keys.contains(e.key) && !fed.character;
+                   },
+                   [&](const Character&) { return !fed.shortcut_key; },
+                   [&](const Button& e) {
+                       return !fed.buttons.contains(e.button) && !fed.scroll && !fed.move;
+                   },
+                   [&](const Move&) { return !fed.button && !fed.scroll; },
+                   [&](const Scroll&) { return !fed.button; }, [](const Focus&) { return true; },
+                   [&](const Leave&) { return !fed.button && !fed.scroll; }},
         event);
 }
 
 void InputQueue::apply(const Event& event, Fed& fed) {
     std::visit(
-        Overloaded{
-            [&](const Key& e) {
-                ImGui_ImplGlfw_KeyCallback(window_, e.key, e.scancode, e.action, e.modifiers);
-                if (e.action == GLFW_REPEAT) return;
-                if (only_types(e.key, e.modifiers)) return;
-                fed.keys.insert(e.key);
-                fed.shortcut_key = fed.shortcut_key || !is_modifier(e.key);
-            },
-            [&](const Character& e) {
-                ImGui::GetIO().AddInputCharacter(e.code);
-                fed.character = true;
-            },
-            [&](const Button& e) {
-                if (e.button < 0 || e.button >= 3) return;
-                buttons_[e.button] = e.action == GLFW_PRESS;
-                fed.buttons.insert(e.button);
-                fed.button = true;
-            },
-            [&](const Move& e) {
-                position_ = e;
-                inside_ = true;
-            },
-            [&](const Scroll& e) {
-                ImGui_ImplGlfw_ScrollCallback(window_, e.x, e.y);
-                fed.scroll = true;
-            },
-            [&](const Focus& e) { ImGui_ImplGlfw_WindowFocusCallback(window_, e.focused); },
-            [&](const Leave&) { inside_ = false; }},
+        Overloaded{[&](const Key& e) {
+                       ImGui_ImplGlfw_KeyCallback(window_, e.key, e.scancode, e.action,
+                                                  e.modifiers);
+                       if (e.action == GLFW_REPEAT) return;
+                       if (only_types(e.key, e.modifiers)) return;
+                       fed.keys.insert(e.key);
+                       fed.shortcut_key = fed.shortcut_key || !is_modifier(e.key);
+                   },
+                   [&](const Character& e) {
+                       ImGui::GetIO().AddInputCharacter(e.code);
+                       fed.character = true;
+                   },
+                   [&](const Button& e) {
+                       if (e.button < 0 || e.button >= 3) return;
+                       buttons_[e.button] = e.action == GLFW_PRESS;
+                       fed.buttons.insert(e.button);
+                       fed.button = true;
+                   },
+                   [&](const Move& e) {
+                       position_ = e;
+                       inside_ = true;
+                       fed.move = true;
+                   },
+                   [&](const Scroll& e) {
+                       ImGui_ImplGlfw_ScrollCallback(window_, e.x, e.y);
+                       fed.scroll = true;
+                   },
+                   [&](const Focus& e) { ImGui_ImplGlfw_WindowFocusCallback(window_, e.focused); },
+                   [&](const Leave&) { inside_ = false; }},
         event);
 }
 

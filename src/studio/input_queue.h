@@ -53,6 +53,7 @@ private:
     struct Fed {
         std::set<int> keys, buttons;
         bool character = false, shortcut_key = false, button = false, scroll = false;
+        bool move = false;
     };
 
     static InputQueue& of(GLFWwindow* window);

@@ -14,10 +14,10 @@ struct Box {
     float x = 0, y = 0, width = 0, height = 0;
 };
 
-constexpr ImGuiWindowFlags fixed_window =
-    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-    ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                          ImGuiWindowFlags_NoSavedSettings |
+                                          ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 bool begin_fixed(const char* name, const Box& box, ImGuiWindowFlags flags = 0) {
     ImGui::SetNextWindowPos(ImVec2(box.x, box.y));
@@ -36,8 +36,7 @@ float splitter(const char* name, const Box& box, bool vertical) {
     if (hot) {
         ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
     }
-    const ImU32 colour =
-        ImGui::GetColorU32(hot ? ImGuiCol_SeparatorHovered : ImGuiCol_Separator);
+    const ImU32 colour = ImGui::GetColorU32(hot ? ImGuiCol_SeparatorHovered : ImGuiCol_Separator);
     ImGui::GetWindowDrawList()->AddRectFilled(
         ImVec2(box.x, box.y), ImVec2(box.x + box.width, box.y + box.height), colour);
     const ImVec2 delta = ImGui::IsItemActive() ? ImGui::GetIO().MouseDelta : ImVec2(0, 0);
@@ -45,8 +44,19 @@ float splitter(const char* name, const Box& box, bool vertical) {
     return vertical ? delta.x : delta.y;
 }
 
+/// Tabs that are narrow enough to stand all side by side.
+void push_tab_style(float scale) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(5 * scale, style.FramePadding.y));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
+                        ImVec2(3 * scale, style.ItemInnerSpacing.y));
+}
+
 void show_tab(const char* name, Workspace& workspace, void (*panel)(Workspace&)) {
-    if (!ImGui::BeginTabItem(name)) return;
+    push_tab_style(workspace.scale);
+    const bool open = ImGui::BeginTabItem(name);
+    ImGui::PopStyleVar(2);
+    if (!open) return;
     ImGui::BeginChild("content");
     ImGui::Spacing();
     panel(workspace);
@@ -55,11 +65,14 @@ void show_tab(const char* name, Workspace& workspace, void (*panel)(Workspace&))
 }
 
 void show_tabs(Workspace& workspace) {
-    if (!ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll)) return;
+    push_tab_style(workspace.scale);
+    const bool open = ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyResizeDown);
+    ImGui::PopStyleVar(2);
+    if (!open) return;
     show_tab("Sliders", workspace, show_parameter_panel);
     show_tab("Render", workspace, show_render_panel);
-    show_tab("Lights", workspace, show_light_panel);
-    show_tab("Materials", workspace, show_material_panel);
+    show_tab("Light", workspace, show_light_panel);
+    show_tab("Material", workspace, show_material_panel);
     show_tab("Camera", workspace, show_camera_panel);
     show_tab("About", workspace, show_document_panel);
     ImGui::EndTabBar();
@@ -75,8 +88,8 @@ void show_left_column(Workspace& workspace, Box& box) {
     begin_fixed("Formula", {box.x, box.y, width, height});
     show_formula_panel(workspace);
     ImGui::End();
-    view.formula_height += splitter("split formula", {box.x, box.y + height, width, bar}, false) /
-                           workspace.scale;
+    view.formula_height +=
+        splitter("split formula", {box.x, box.y + height, width, bar}, false) / workspace.scale;
     begin_fixed("Tabs", {box.x, box.y + height + bar, width, box.height - height - bar});
     show_tabs(workspace);
     ImGui::End();
@@ -104,22 +117,19 @@ void show_right_column(Workspace& workspace, Box& box) {
 
 /// Messages stand on the picture, at its bottom.
 void show_message_area(Workspace& workspace, const Box& box) {
+    if (!has_messages_to_show(workspace)) return;
     const float margin = 10 * workspace.scale;
     ImGui::SetNextWindowPos(ImVec2(box.x + margin, box.y + box.height - margin), ImGuiCond_Always,
                             ImVec2(0, 1));
-    ImGui::SetNextWindowSize(
-        ImVec2(std::min(box.width - 2 * margin, 560 * workspace.scale), 0));
+    ImGui::SetNextWindowSize(ImVec2(std::min(box.width - 2 * margin, 560 * workspace.scale), 0));
     ImGui::SetNextWindowBgAlpha(0.85f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6);
-    constexpr ImGuiWindowFlags flags =
-        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav;
-    if (has_messages_to_show(workspace)) {
-        ImGui::Begin("Newest messages", nullptr, flags);
-        show_messages(workspace);
-        ImGui::End();
-    }
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+    ImGui::Begin("Newest messages", nullptr, flags);
+    show_messages(workspace);
+    ImGui::End();
     ImGui::PopStyleVar();
 }
 

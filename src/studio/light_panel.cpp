@@ -5,8 +5,8 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 #include <imgui.h>
+#include <glm/geometric.hpp>
 
 #include "render/frame.h"
 #include "studio/panels.h"
@@ -38,9 +38,9 @@ void show_light(scene::Light& light) {
     const scene::Light fresh;
     const Angles initial = angles_of(fresh.direction);
     Angles angles = angles_of(light.direction);
-    const bool turned = slider(
-        "Azimuth", angles.azimuth,
-        {.minimum = -180, .maximum = 180, .initial = initial.azimuth, .format = "%.0f deg"});
+    const bool turned =
+        slider("Azimuth", angles.azimuth,
+               {.minimum = -180, .maximum = 180, .initial = initial.azimuth, .format = "%.0f deg"});
     const bool raised = slider(
         "Elevation", angles.elevation,
         // Straight up would forget the azimuth.
@@ -77,8 +77,8 @@ void show_environment(scene::Environment& environment) {
     const scene::Environment initial;
     colour_field("Sky light", environment.sky, initial.sky);
     colour_field("Ground light", environment.ground, initial.ground);
-    colour_field("Background, top", environment.background_top, initial.background_top);
-    colour_field("Background, bottom", environment.background_bottom, initial.background_bottom);
+    colour_field("Backdrop top", environment.background_top, initial.background_top);
+    colour_field("Backdrop bottom", environment.background_bottom, initial.background_bottom);
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ void LivePicture::set_program(std::unique_ptr<render::Program> program, double n
 
 void LivePicture::want(const WantedPicture& wanted, double now) {
     if (wanted.width <= 0 || wanted.height <= 0) return;
-    const render::Frame frame = render::frame(wanted.document, wanted.camera,
-                                              render::whole(wanted.width, wanted.height));
+    const render::Frame frame =
+        render::frame(wanted.document, wanted.camera, render::whole(wanted.width, wanted.height));
     const bool unchanged = wanted_frame_ && same(frame, *wanted_frame_) &&
                            wanted.field_values == wanted_->field_values;
     if (unchanged) return;
@@ -102,8 +102,8 @@ PictureLayers LivePicture::layers() const {
 /// Takes what is wanted now as the picture to draw, and makes room for it.
 base::Status LivePicture::prepare(const DrawingStep& step) {
     drawn_ = wanted_;
-    drawn_frame_ = render::frame(drawn_->document, drawn_->camera,
-                                 render::whole(step.width, step.height));
+    drawn_frame_ =
+        render::frame(drawn_->document, drawn_->camera, render::whole(step.width, step.height));
     std::optional<render::Canvas>& canvas = step.full() ? full_ : next_coarse_;
     if (!has_size(canvas, step.width, step.height)) {
         if (step.full() && full_ && !coarse_shown_ && !full_tiles_.empty()) {
@@ -116,6 +116,10 @@ base::Status LivePicture::prepare(const DrawingStep& step) {
         auto made = render::Canvas::create(*gl_, step.width, step.height, live_outputs);
         if (!made) return made.problems();
         canvas = std::move(*made);
+        // Only a coarse picture is shown larger than it is.
+        gl_->TextureParameteri(canvas->picture_texture(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        gl_->TextureParameteri(canvas->picture_texture(), GL_TEXTURE_MAG_FILTER,
+                               step.full() ? GL_NEAREST : GL_LINEAR);
     }
     return base::Done{};
 }

@@ -14,10 +14,9 @@ namespace {
 
 void show_number(const char* id, double& value, const SliderRange& range) {
     ImGui::SetNextItemWidth(-1);
-    ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &range.minimum, &range.maximum,
-                        range.format,
-                        ImGuiSliderFlags_AlwaysClamp |
-                            (range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+    ImGui::SliderScalar(
+        id, ImGuiDataType_Double, &value, &range.minimum, &range.maximum, range.format,
+        ImGuiSliderFlags_AlwaysClamp | (range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
 }
 
 /// One row; true if the user wants to remove it.
@@ -30,8 +29,7 @@ bool show_material(scene::Material& material, std::size_t number, bool removable
     ImGui::SetNextItemWidth(-1);
     colour_field("##colour", material.colour, scene::Material{}.colour);
     ImGui::TableNextColumn();
-    show_number("##specular", material.specular,
-                {.minimum = 0, .maximum = 2, .format = "%.2f"});
+    show_number("##specular", material.specular, {.minimum = 0, .maximum = 2, .format = "%.2f"});
     ImGui::TableNextColumn();
     show_number("##shininess", material.shininess,
                 {.minimum = 1, .maximum = 1000, .logarithmic = true, .format = "%.0f"});

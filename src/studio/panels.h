@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The parts of the window. Each shows a piece of the workspace with ImGui, inside the frame at hand,
-// and changes it as the user asks; undo and the picture follow from the changed document.
+// The parts of the window. Each shows a piece of the workspace with ImGui, inside the frame at
+// hand, and changes it as the user asks; undo and the picture follow from the changed document.
 #pragma once
 
 #include "studio/workspace.h"

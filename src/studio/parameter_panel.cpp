@@ -18,12 +18,12 @@ void show_parameter(scene::Document& document, const field::Parameter& parameter
                             .initial = parameter.initial,
                             .step = parameter.step.value_or(0),
                             .format = whole ? "%.0f" : "%.4g"};
-    const std::string label = (parameter.label.empty() ? parameter.name : parameter.label) +
-                              "##" + parameter.name;
-    const std::string tooltip =
-        fmt::format("{} in [{}, {}], by default {}\nDouble-click for the default, Ctrl+click to "
-                    "type a number.",
-                    parameter.name, parameter.minimum, parameter.maximum, parameter.initial);
+    const std::string label =
+        (parameter.label.empty() ? parameter.name : parameter.label) + "##" + parameter.name;
+    const std::string tooltip = fmt::format(
+        "{} in [{}, {}], by default {}\nDouble-click for the default, Ctrl+click to "
+        "type a number.",
+        parameter.name, parameter.minimum, parameter.maximum, parameter.initial);
     if (!slider(label.c_str(), value, range, tooltip)) return;
     if (value == parameter.initial) {
         document.parameters.erase(parameter.name);

@@ -14,9 +14,7 @@ constexpr int first_edge = 64;  // of a program whose cost is not known yet
 constexpr int largest_edge = 1024;
 constexpr std::array divisors = {1, 2, 3, 4, 6, 8};
 
-double pixels(const render::Tile& tile) {
-    return static_cast<double>(tile.width) * tile.height;
-}
+double pixels(const render::Tile& tile) { return static_cast<double>(tile.width) * tile.height; }
 
 /// The largest power of two whose square costs no more than one tile should.
 int edge_for(double pixel_seconds) {
@@ -40,9 +38,9 @@ std::deque<render::Tile> cut(int width, int height, int edge) {
         return std::hypot(tile.x + 0.5 * tile.width - 0.5 * width,
                           tile.y + 0.5 * tile.height - 0.5 * height);
     };
-    std::stable_sort(
-        tiles.begin(), tiles.end(),
-        [&](const render::Tile& a, const render::Tile& b) { return distance(a) < distance(b); });
+    std::stable_sort(tiles.begin(), tiles.end(), [&](const render::Tile& a, const render::Tile& b) {
+        return distance(a) < distance(b);
+    });
     return tiles;
 }
 

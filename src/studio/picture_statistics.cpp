@@ -18,9 +18,15 @@ PictureStatistics statistics(const image::Image<float, 4>& geometry) {
         sum += pixel[1];
         most = std::max(most, pixel[1]);
         switch (static_cast<shader::Status>(std::lround(pixel[2]))) {
-            case shader::Status::miss: ++result.missed; break;
-            case shader::Status::hit: ++result.hit; break;
-            case shader::Status::unresolved: ++result.unresolved; break;
+            case shader::Status::miss:
+                ++result.missed;
+                break;
+            case shader::Status::hit:
+                ++result.hit;
+                break;
+            case shader::Status::unresolved:
+                ++result.unresolved;
+                break;
         }
     }
     if (count > 0) result.mean_steps = sum / static_cast<double>(count);

@@ -10,8 +10,8 @@ namespace studio {
 
 struct PresetEntry {
     std::filesystem::path file;
-    std::string folder;  ///< below the list's own folder; empty at its top
-    std::string title;   ///< the preset's, else the file's name
+    std::string folder;   ///< below the list's own folder; empty at its top
+    std::string title;    ///< the preset's, else the file's name
     std::string problem;  ///< why it cannot be opened; empty if it can
 };
 

@@ -46,8 +46,8 @@ void show_list(Workspace& workspace, const std::vector<PresetEntry>& list) {
         const auto end = std::find_if(entry, list.end(), [&](const PresetEntry& other) {
             return other.folder != entry->folder;
         });
-        const bool any = std::any_of(entry, end,
-                                     [&](const PresetEntry& e) { return matches(e, filter); });
+        const bool any =
+            std::any_of(entry, end, [&](const PresetEntry& e) { return matches(e, filter); });
         const bool bare = entry->folder.empty();
         if (any && !filter.empty()) ImGui::SetNextItemOpen(true);
         const bool shown =

@@ -2,8 +2,8 @@
 // How the picture is made: tracer, precision, effects, and the region that is looked at.
 #include <string>
 
-#include <glm/common.hpp>
 #include <imgui.h>
+#include <glm/common.hpp>
 
 #include "shader/program_source.h"
 #include "studio/panels.h"
@@ -49,9 +49,10 @@ void show_effects(scene::Settings& settings) {
            {.minimum = 1, .maximum = 128, .initial = initial.shadow, .logarithmic = true},
            "Small is soft, large is hard.");
     ImGui::EndDisabled();
-    check("Ambient occlusion", settings.ambient_occlusion,
-          "Darkens corners. The switch is kept in the preset; it shows as far as the tracer at hand "
-          "has the effect.");
+    check(
+        "Ambient occlusion", settings.ambient_occlusion,
+        "Darkens corners. The switch is kept in the preset; it shows as far as the tracer at hand "
+        "has the effect.");
     check("Ground grid", settings.grid);
     check("Show step count", settings.show_steps,
           "Colours each pixel by the number of steps of its ray instead of shading it.");
@@ -85,7 +86,8 @@ void show_bounds(scene::Bounds& bounds) {
             }
             break;
         }
-        case scene::Bounds::Shape::none: return;
+        case scene::Bounds::Shape::none:
+            return;
     }
     vector_field("Centre", bounds.centre, 0.01);
 }

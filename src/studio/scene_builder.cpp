@@ -73,8 +73,7 @@ bool SceneBuilder::make_drawable(const scene::Document& document, BuiltScene& bu
     }
     if (another) {
         if (superseded()) return false;
-        auto program =
-            link_(source, document, compile::field_values(*formula, source, document));
+        auto program = link_(source, document, compile::field_values(*formula, source, document));
         if (!program) {
             rejected_ = source.fragment;
             rejection_ = program.problems();

@@ -30,6 +30,12 @@ bool compiles_alike(const scene::Document& a, const scene::Document& b) {
            a.bounds == b.bounds && a.settings == b.settings;
 }
 
+/// The window behind a dialog is being darkened or lit up again.
+bool is_fading() {
+    const float ratio = ImGui::GetCurrentContext()->DimBgRatio;
+    return ratio > 0 && ratio < 1;
+}
+
 }  // namespace
 
 Session::Session(Window& window, const Options& options)
@@ -61,6 +67,7 @@ bool Session::step() {
     draw_picture();
     const bool blinks = ImGui::GetIO().WantTextInput && glfwGetTime() - last_frame_ > blink_seconds;
     if (workspace_.playback.playing || blinks) frames_to_draw_ = std::max(frames_to_draw_, 1);
+    if (is_fading()) frames_to_draw_ = std::max(frames_to_draw_, 1);
     if (frames_to_draw_ > 0) {
         --frames_to_draw_;
         draw_interface();
@@ -96,8 +103,8 @@ void Session::take_answers() {
     }
     for (const StillAnswer& still : compiler_.take_stills()) {
         if (still.status) {
-            workspace_.note(fmt::format("wrote '{}' in {:.1f} s", still.file.string(),
-                                        still.seconds));
+            workspace_.note(
+                fmt::format("wrote '{}' in {:.1f} s", still.file.string(), still.seconds));
         } else {
             say(still.status.problems());
         }
@@ -176,9 +183,7 @@ void Session::draw_interface() {
     window_.set_title(workspace_.name() + (workspace_.unsaved() ? "* - Zeroset" : " - Zeroset"));
 }
 
-void Session::record() {
-    workspace_.history.record(workspace_.document, gesture(), glfwGetTime());
-}
+void Session::record() { workspace_.history.record(workspace_.document, gesture(), glfwGetTime()); }
 
 /// A press of a mouse button and everything until it is let go is one gesture; so is a burst of
 /// typing in one field, and of turning the wheel.

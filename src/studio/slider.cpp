@@ -15,7 +15,8 @@ constexpr float label_share = 0.36f;
 /// Sets the default on a double-click. The press itself already moves the slider: letting go of it
 /// keeps the default from being overwritten while the button is still down.
 bool reset_on_double_click() {
-    if (!ImGui::IsItemHovered() || !ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return false;
+    if (!ImGui::IsItemHovered() || !ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        return false;
     if (ImGui::GetIO().KeyCtrl) return false;
     ImGui::ClearActiveID();
     return true;

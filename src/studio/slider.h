@@ -11,9 +11,9 @@ namespace studio {
 
 struct SliderRange {
     double minimum = 0, maximum = 1;
-    double initial = 0;        ///< what a double-click sets
+    double initial = 0;  ///< what a double-click sets
     bool logarithmic = false;
-    double step = 0;           ///< values are whole multiples of it above the minimum; 0: any
+    double step = 0;  ///< values are whole multiples of it above the minimum; 0: any
     const char* format = "%.4g";
 };
 

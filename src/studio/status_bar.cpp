@@ -39,9 +39,9 @@ void show_report(const PictureReport& report) {
 }  // namespace
 
 void show_status_bar(const Workspace& workspace) {
-    const char* state = workspace.drawing_still        ? "drawing a picture..."
-                        : workspace.compilation.busy   ? "compiling..."
-                        : !workspace.picture_complete  ? "drawing..."
+    const char* state = workspace.drawing_still          ? "drawing a picture..."
+                        : workspace.compilation.busy     ? "compiling..."
+                        : !workspace.picture_complete    ? "drawing..."
                         : workspace.compilation.drawable ? "ready"
                                                          : "no picture";
     ImGui::AlignTextToFramePadding();

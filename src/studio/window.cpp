@@ -11,9 +11,9 @@ namespace {
 base::Diagnostic no_window(const char* what) {
     const char* cause = nullptr;
     glfwGetError(&cause);
-    return base::error(fmt::format(
-        "cannot open {}: {}; use 'zeroset render' to make pictures without a display", what,
-        cause ? cause : "the window system gives no reason"));
+    return base::error(
+        fmt::format("cannot open {}: {}; use 'zeroset render' to make pictures without a display",
+                    what, cause ? cause : "the window system gives no reason"));
 }
 
 render::Gl::Function load(const char* name) { return glfwGetProcAddress(name); }
@@ -25,8 +25,8 @@ base::Result<std::unique_ptr<render::Context>> wrap(GLFWwindow* window) {
     auto context = render::wrap_window(window, load, make_current);
     if (context) return context;
     base::Diagnostics problems = context.problems();
-    problems.push_back(base::error(
-        "the studio cannot draw in a window here; use 'zeroset render' instead"));
+    problems.push_back(
+        base::error("the studio cannot draw in a window here; use 'zeroset render' instead"));
     return problems;
 }
 

@@ -68,7 +68,10 @@ void Workspace::go_to(const scene::Document& value) {
 
 scene::Document first_document() {
     scene::Document document;
-    document.formula = "x^2 + y^2 + z^2 = 1";
+    document.formula =
+        "# An equation in x, y, z. A line with param makes a slider.\n"
+        "param a = 1.3 in [0.5, 2] \"width\"\n"
+        "(x/a)^2 + y^2 + z^2 = 1";
     return document;
 }
 

@@ -55,7 +55,7 @@ struct View {
     bool panels = true;
     bool focus_formula = false;   ///< give the formula's editor the keyboard
     bool reload_formula = false;  ///< the text has changed behind the editor's back
-    float left_width = 372;
+    float left_width = 388;
     float right_width = 226;
     float formula_height = 250;
     std::string preset_filter;

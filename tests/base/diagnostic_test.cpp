@@ -110,7 +110,9 @@ TEST(Diagnostic, keeps_the_caret_in_place_at_both_ends_of_a_long_line) {
 }
 
 TEST(Diagnostic, counts_lines_and_columns_from_one) {
-    const std::string text = "a\n\xC3\xA4" "b\n";
+    const std::string text =
+        "a\n\xC3\xA4"
+        "b\n";
     EXPECT_EQ(base::line_column(text, 0).line, 1u);
     EXPECT_EQ(base::line_column(text, 0).column, 1u);
     EXPECT_EQ(base::line_column(text, 4).line, 2u);

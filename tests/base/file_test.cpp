@@ -82,8 +82,7 @@ TEST(File, is_not_written_over_a_directory) {
     const TemporaryFolder folder;
     fs::create_directory(folder / "sub");
     EXPECT_EQ(problem(base::write_atomically(folder / "sub", "x")),
-              "cannot write '" + (folder / "sub").string() +
-                  "': it is a directory; name a file");
+              "cannot write '" + (folder / "sub").string() + "': it is a directory; name a file");
     EXPECT_TRUE(fs::is_directory(folder / "sub"));
     EXPECT_EQ(folder.size(), 1u);
 }
@@ -146,9 +145,9 @@ TEST(File, that_is_new_has_the_mode_of_the_process) {
 
 TEST(File, that_is_missing_is_an_error_on_reading) {
     const TemporaryFolder folder;
-    EXPECT_EQ(problem(base::read_text(folder / "no", enough)),
-              "cannot read '" + (folder / "no").string() +
-                  "': there is no such file; check the name");
+    EXPECT_EQ(
+        problem(base::read_text(folder / "no", enough)),
+        "cannot read '" + (folder / "no").string() + "': there is no such file; check the name");
 }
 
 TEST(File, that_is_a_directory_is_an_error_on_reading) {

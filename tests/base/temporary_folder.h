@@ -12,7 +12,8 @@
 class TemporaryFolder {
 public:
     TemporaryFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "zeroset-test-XXXXXX").string();
+        std::string pattern =
+            (std::filesystem::temp_directory_path() / "zeroset-test-XXXXXX").string();
         EXPECT_NE(mkdtemp(pattern.data()), nullptr);
         path_ = pattern;
     }
@@ -24,7 +25,9 @@ public:
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
+    std::filesystem::path operator/(const std::filesystem::path& name) const {
+        return path_ / name;
+    }
 
     /// How many files and folders it holds.
     std::size_t size() const {

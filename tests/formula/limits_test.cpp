@@ -54,9 +54,9 @@ TEST(Limits, high_trees_without_brackets_are_one_error) {
 TEST(Limits, a_graph_has_no_more_nodes_than_the_limit) {
     std::string text;
     for (int i = 1; i < 9000; ++i) text += std::to_string(i) + "x+";
-    EXPECT_EQ(errors_of(text + "x")
-                  .find("the formula needs more than 20,000 operations; make it shorter"),
-              5u);
+    EXPECT_NE(errors_of(text + "x")
+                  .find(": the formula needs more than 20,000 operations; make it shorter"),
+              std::string::npos);
     std::string fields = "a0 = mandelbulb()\n";
     for (int i = 0; i < 900; ++i) {
         fields += "a" + std::to_string(i + 1) + " = a" + std::to_string(i) +

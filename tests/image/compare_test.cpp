@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Known differences of small pictures.
 #include "image/compare.h"
 
 #include <gtest/gtest.h>

@@ -76,8 +76,8 @@ TEST(Pfm, of_vectors_comes_back) {
 
 TEST(Pfm, in_big_endian_is_read_too) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(base::write_atomically(folder / "a.pfm",
-                                       std::string("Pf\n1 1\n1.0\n\x40\x40\0\0", 15)));
+    ASSERT_TRUE(
+        base::write_atomically(folder / "a.pfm", std::string("Pf\n1 1\n1.0\n\x40\x40\0\0", 15)));
     const auto back = image::read_pfm_grey(folder / "a.pfm");
     ASSERT_TRUE(back) << problem(back);
     EXPECT_EQ(back->values, std::vector<float>{3});

@@ -54,22 +54,28 @@ std::string random_json(std::mt19937& random, int depth) {
     const auto space = [&] { return std::string(random() % 3, " \n\t"[random() % 3]); };
     std::string inner;
     switch (random() % (depth > 0 ? 7 : 5)) {
-        case 0: return "null";
-        case 1: return random() % 2 ? "true" : "false";
-        case 2: return fmt::format("{}", static_cast<int>(random() % 2000) - 1000);
-        case 3: return fmt::format("{}", (random() % 10000 - 5000.0) * 1.25e-3);
-        case 4: return "\"\\u20ac\\\"" + std::string(random() % 5, 'x') + "\\\\\"";
+        case 0:
+            return "null";
+        case 1:
+            return random() % 2 ? "true" : "false";
+        case 2:
+            return fmt::format("{}", static_cast<int>(random() % 2000) - 1000);
+        case 3:
+            return fmt::format("{}", (random() % 10000 - 5000.0) * 1.25e-3);
+        case 4:
+            return "\"\\u20ac\\\"" + std::string(random() % 5, 'x') + "\\\\\"";
         case 5:
             for (unsigned i = random() % 4; i-- > 0;) {
-                inner += (inner.empty() ? "" : ",") + space() + random_json(random, depth - 1) + space();
+                inner +=
+                    (inner.empty() ? "" : ",") + space() + random_json(random, depth - 1) + space();
             }
-            return '[' + inner + ']';
+            return fmt::format("[{}]", inner);
         default:
             for (unsigned i = random() % 4; i-- > 0;) {
-                inner += (inner.empty() ? "" : ",") + space() + fmt::format("\"k{}\"", i) + space() +
-                         ':' + space() + random_json(random, depth - 1) + space();
+                inner += (inner.empty() ? "" : ",") + space() + fmt::format("\"k{}\"", i) +
+                         space() + ':' + space() + random_json(random, depth - 1) + space();
             }
-            return '{' + inner + '}';
+            return fmt::format("{{{}}}", inner);
     }
 }
 
@@ -88,17 +94,18 @@ TEST(Json, knows_the_bytes_of_every_value_in_random_texts) {
 
 TEST(Json, is_printed_with_lists_of_numbers_on_one_line) {
     const Json json = parsed(R"({"a":[1,2.50,-3],"b":{"c":[1,2]},"d":["x"],"e":{"f":1,"g":{}}})");
-    EXPECT_EQ(scene::print_json(json), "{\n"
-                                       "  \"a\": [1, 2.50, -3],\n"
-                                       "  \"b\": {\"c\": [1, 2]},\n"
-                                       "  \"d\": [\n"
-                                       "    \"x\"\n"
-                                       "  ],\n"
-                                       "  \"e\": {\n"
-                                       "    \"f\": 1,\n"
-                                       "    \"g\": {}\n"
-                                       "  }\n"
-                                       "}");
+    EXPECT_EQ(scene::print_json(json),
+              "{\n"
+              "  \"a\": [1, 2.50, -3],\n"
+              "  \"b\": {\"c\": [1, 2]},\n"
+              "  \"d\": [\n"
+              "    \"x\"\n"
+              "  ],\n"
+              "  \"e\": {\n"
+              "    \"f\": 1,\n"
+              "    \"g\": {}\n"
+              "  }\n"
+              "}");
 }
 
 TEST(Json, escapes_what_json_cannot_hold) {
@@ -142,10 +149,6 @@ TEST(JsonSyntax, tells_that_a_file_is_empty_or_cut_off) {
         const std::string text = whole.substr(0, size);
         const std::size_t end = text.find_last_not_of(' ') + 1;
         EXPECT_EQ(syntax_error(text), fmt::format("{}||{}", end, cut)) << text;
-        EXPECT_EQ(syntax_error(text + "\n"),
-                  text.back() == '\n' || syntax_error(text + "\n").find(cut) == std::string::npos
-                      ? syntax_error(text + "\n")
-                      : fmt::format("{}||{}", end, cut));
     }
 }
 
@@ -166,6 +169,8 @@ TEST(JsonSyntax, explains_mistakes_in_plain_words) {
         {"[1e999]", "1|1e999|the number 1e999 is too large"},
         {"{\"a\": -1e999}", "6|-1e999|the number -1e999 is too large"},
         {"[01]", "1|01|01 is not a number as JSON writes it, such as -0.5 or 1e-3"},
+        {"[1.2.3]", "1|1.2.3|1.2.3 is not a number as JSON writes it, such as -0.5 or 1e-3"},
+        {"[5px]", "1|5px|5px is not a number as JSON writes it, such as -0.5 or 1e-3"},
         {"[.5]", "1|.5|.5 is not a number as JSON writes it, such as -0.5 or 1e-3"},
         {"[+1]", "1|+1|+1 is not a number as JSON writes it, such as -0.5 or 1e-3"},
         {"[1.]", "1|1.|1. is not a number as JSON writes it, such as -0.5 or 1e-3"},
@@ -186,8 +191,7 @@ TEST(JsonSyntax, explains_mistakes_in_plain_words) {
         {"[\"a\\qb\"]",
          "3|\\q|this backslash has no meaning in a text; write \\\\ for a backslash"},
         {"[\"\\u12g4\"]", "2|\\u|\\u needs four hexadecimal digits"},
-        {"[\"\\ud800x\"]",
-         "2|\\ud800|this \\u is half of a character; write the character itself"},
+        {"[\"\\ud800x\"]", "2|\\ud800|this \\u is half of a character; write the character itself"},
         {"[\"\\udc00\"]", "2|\\udc00|this \\u is half of a character; write the character itself"},
         {"[\"\xFF\"]", "2|\xFF|the file is not UTF-8 text; save it in that encoding"},
     };

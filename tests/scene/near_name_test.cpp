@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Mistyped names.
 #include "scene/near_name.h"
 
 #include <gtest/gtest.h>

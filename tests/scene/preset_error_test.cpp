@@ -14,8 +14,8 @@ std::vector<std::string> problems(const std::string& text) {
     for (const base::Diagnostic& problem : preset.problems()) {
         EXPECT_EQ(problem.severity, base::Severity::error);
         const base::SourceSpan span = problem.span.value();
-        out.push_back(fmt::format("{}|{}", text.substr(span.begin, span.end - span.begin),
-                                  problem.message));
+        out.push_back(
+            fmt::format("{}|{}", text.substr(span.begin, span.end - span.begin), problem.message));
     }
     return out;
 }
@@ -44,7 +44,8 @@ TEST(PresetErrors, are_all_reported_in_the_order_of_their_places) {
 }
 
 TEST(PresetErrors, have_the_place_in_the_file) {
-    const std::string text = "{\n  \"zeroset\": 1,\n  \"formula\": \"x\",\n  \"time\": \"now\"\n}\n";
+    const std::string text =
+        "{\n  \"zeroset\": 1,\n  \"formula\": \"x\",\n  \"time\": \"now\"\n}\n";
     EXPECT_EQ(base::format(scene::read_preset(text).problems().at(0), "a.json", text),
               "a.json:4:11: error: 'time' must be a number, not \"now\"\n"
               "  \"time\": \"now\"\n"
@@ -67,22 +68,22 @@ TEST(PresetErrors, tell_which_versions_are_read) {
     const auto version = [](const std::string& number) {
         return problems("{\"zeroset\": " + number + ", \"shape\": 1}").at(0);
     };
-    EXPECT_EQ(version("7"), "7|this preset was written by a newer Zeroset (version 7); this one reads "
-                            "up to 1");
+    EXPECT_EQ(version("7"),
+              "7|this preset was written by a newer Zeroset (version 7); this one reads "
+              "up to 1");
     for (const char* wrong : {"0", "-1", "1.5", "\"1\"", "null"}) {
-        EXPECT_EQ(version(wrong),
-                  fmt::format("{0}|'zeroset' must be the version of the preset, a whole number from "
-                              "1 to 1, not {0}",
-                              wrong));
+        EXPECT_EQ(
+            version(wrong),
+            fmt::format("{0}|'zeroset' must be the version of the preset, a whole number from "
+                        "1 to 1, not {0}",
+                        wrong));
     }
 }
 
 TEST(PresetErrors, ask_for_a_formula) {
-    const std::string empty =
-        "the formula is empty; write one, such as \"x^2 + y^2 + z^2 = 1\"";
+    const std::string empty = "the formula is empty; write one, such as \"x^2 + y^2 + z^2 = 1\"";
     EXPECT_EQ(problems(R"({"zeroset": 1, "formula": ""})"), Problems{"\"\"|" + empty});
-    EXPECT_EQ(problems(R"({"zeroset": 1, "formula": " \n\t"})"),
-              Problems{"\" \\n\\t\"|" + empty});
+    EXPECT_EQ(problems(R"({"zeroset": 1, "formula": " \n\t"})"), Problems{"\" \\n\\t\"|" + empty});
     EXPECT_EQ(problems(R"({"zeroset": 1, "formula": []})"), Problems{"[]|" + empty});
     EXPECT_EQ(problems(R"({"zeroset": 1, "formula": 5})"),
               Problems{"5|'formula' must be text in quotes or a list of lines, not 5"});
@@ -96,7 +97,8 @@ TEST(PresetErrors, tell_the_type_that_is_wanted) {
               "1|'settings.shadows' must be true or false, not 1");
     EXPECT_EQ(problem_with(R"("settings": {"steps": 1.5})"),
               "1.5|'settings.steps' must be a whole number from 1 to 100000, not 1.5");
-    EXPECT_EQ(problem_with(R"("settings": [])"), "[]|'settings' must be an object, not an empty list");
+    EXPECT_EQ(problem_with(R"("settings": [])"),
+              "[]|'settings' must be an object, not an empty list");
     EXPECT_EQ(problem_with(R"("description": null)"),
               "null|'description' must be text in quotes, not null");
     EXPECT_EQ(problem_with(R"("parameters": {"a": true})"),
@@ -159,8 +161,9 @@ TEST(PresetErrors, tell_about_useless_bounds) {
               "{\"ball\": 3}|'bounds' " + forms + "an object");
     EXPECT_EQ(problem_with(R"("bounds": {"sphere": 0})"),
               "0|'bounds.sphere' must be a number from 1e-06 to 1000000, not 0");
-    EXPECT_EQ(problem_with(R"("bounds": {"sphere": [1, 2]})"),
-              "[1, 2]|'bounds.sphere' must be a radius or a list [x, y, z, radius], not a list of 2");
+    EXPECT_EQ(
+        problem_with(R"("bounds": {"sphere": [1, 2]})"),
+        "[1, 2]|'bounds.sphere' must be a radius or a list [x, y, z, radius], not a list of 2");
     EXPECT_EQ(problem_with(R"("bounds": {"sphere": [-1, -2, -3, -4]})"),
               "-4|'bounds.sphere[3]' must be a number from 1e-06 to 1000000, not -4");
     EXPECT_EQ(problem_with(R"("bounds": {"box": 1})"),
@@ -168,9 +171,10 @@ TEST(PresetErrors, tell_about_useless_bounds) {
               "[x, y, z, hx, hy, hz], not 1");
     EXPECT_EQ(problem_with(R"("bounds": {"box": [1, 1, 0]})"),
               "0|'bounds.box[2]' must be a number from 1e-06 to 1000000, not 0");
-    EXPECT_EQ(problem_with(R"("bounds": {"sphere": 1, "box": [1, 1, 1]})"),
-              "{\"sphere\": 1, \"box\": [1, 1, 1]}|'bounds' has both 'sphere' and 'box'; keep one of "
-              "them");
+    EXPECT_EQ(
+        problem_with(R"("bounds": {"sphere": 1, "box": [1, 1, 1]})"),
+        "{\"sphere\": 1, \"box\": [1, 1, 1]}|'bounds' has both 'sphere' and 'box'; keep one of "
+        "them");
 }
 
 TEST(PresetErrors, tell_about_fields_that_stand_twice) {

@@ -92,8 +92,7 @@ TEST_F(FindPreset, suggests_near_names) {
 
 TEST_F(FindPreset, tells_a_directory_from_a_preset) {
     const std::string path = (folder_ / "shipped").string();
-    EXPECT_EQ(found(path),
-              "'" + path + "' is a directory, not a preset; name a .json file in it");
+    EXPECT_EQ(found(path), "'" + path + "' is a directory, not a preset; name a .json file in it");
     EXPECT_EQ(found(""), "a preset needs a name");
 }
 

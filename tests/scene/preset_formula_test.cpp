@@ -33,8 +33,9 @@ TEST(FormulaPlaces, of_a_single_text_end_at_its_closing_quote) {
 }
 
 TEST(FormulaPlaces, grow_with_the_formula) {
-    for (const char* text : {R"({"zeroset": 1, "formula": "x\ny"})", R"({"zeroset": 1, "formula": ["x", "y"]})",
-                             R"({"zeroset": 1, "formula": ["x\ny", ""]})"}) {
+    for (const char* text :
+         {R"({"zeroset": 1, "formula": "x\ny"})", R"({"zeroset": 1, "formula": ["x", "y"]})",
+          R"({"zeroset": 1, "formula": ["x\ny", ""]})"}) {
         const auto preset = scene::read_preset(text);
         ASSERT_TRUE(preset) << text;
         const auto& places = preset->formula_places;

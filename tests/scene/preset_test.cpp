@@ -30,8 +30,9 @@ public:
         return {number(least, greatest), number(least, greatest), number(least, greatest)};
     }
     std::string text() {
-        static const char* const pieces[] = {"x^2", " ", "\"", "\\", "/", "\t", "\xC3\xA4", "= 1",
-                                             "\xF0\x9F\x98\x80", "\x01", "'", "\r", "{", "\x7F"};
+        static const char* const pieces[] = {
+            "x^2",  " ", "\"", "\\", "/",   "\t", "\xC3\xA4", "= 1", "\xF0\x9F\x98\x80",
+            "\x01", "'", "\r", "{",  "\x7F"};
         std::string out;
         for (int i = upto(8); i-- > 0;) out += pieces[upto(13)];
         return out;
@@ -60,9 +61,14 @@ private:
         scene::Bounds b;
         const glm::dvec3 centre = coin() ? vector(-5, 5) : glm::dvec3(0);
         switch (upto(2)) {
-            case 0: b = {scene::Bounds::Shape::sphere, centre, glm::dvec3(number(0.1, 9))}; break;
-            case 1: b = {scene::Bounds::Shape::box, centre, vector(0.1, 9)}; break;
-            default: b.shape = scene::Bounds::Shape::none;
+            case 0:
+                b = {scene::Bounds::Shape::sphere, centre, glm::dvec3(number(0.1, 9))};
+                break;
+            case 1:
+                b = {scene::Bounds::Shape::box, centre, vector(0.1, 9)};
+                break;
+            default:
+                b.shape = scene::Bounds::Shape::none;
         }
         return b;
     }

@@ -9,9 +9,7 @@ namespace {
 
 const std::filesystem::path folder = std::filesystem::path(ZEROSET_SOURCE_DIR) / "presets";
 
-TEST(ShippedPresets, are_at_least_two_dozen) {
-    EXPECT_GE(scene::list_presets(folder).size(), 24u);
-}
+TEST(ShippedPresets, are_at_least_two_dozen) { EXPECT_GE(scene::list_presets(folder).size(), 24u); }
 
 TEST(ShippedPresets, are_read_without_a_complaint) {
     for (const auto& name : scene::list_presets(folder)) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Well-formed and broken characters.
 #include "scene/utf8.h"
 
 #include <gtest/gtest.h>
@@ -15,9 +16,9 @@ TEST(Utf8, knows_the_length_of_characters) {
 }
 
 TEST(Utf8, rejects_what_is_no_character) {
-    for (const char* text : {"\x80", "\xBF", "\xC0\x80", "\xC1\xBF", "\xC3", "\xC3x", "\xE0\x9F\xBF",
-                             "\xED\xA0\x80", "\xE2\x82", "\xF0\x8F\xBF\xBF", "\xF4\x90\x80\x80",
-                             "\xF5\x80\x80\x80", "\xFF"}) {
+    for (const char* text :
+         {"\x80", "\xBF", "\xC0\x80", "\xC1\xBF", "\xC3", "\xC3x", "\xE0\x9F\xBF", "\xED\xA0\x80",
+          "\xE2\x82", "\xF0\x8F\xBF\xBF", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xFF"}) {
         EXPECT_EQ(scene::utf8_length(text, 0), 0u) << text;
     }
 }

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "render_answers/agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ostream>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+namespace render_answers {
+namespace {
+
+constexpr double depth_tolerance = 1e-5;
+constexpr double normal_tolerance = 2e-3;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What a ray sees, and how many surfaces it passes in all.
+struct Seen {
+    double depth = infinity;
+    glm::dvec3 normal{0};  ///< unit, facing the eye; 0 where the eye is inside
+    std::size_t crossings = 0;
+};
+
+class Eye {
+public:
+    explicit Eye(const Answer& answer)
+        : query_(answer.query), is_solid_(std::holds_alternative<Solid>(answer.shape)) {
+        const Solid region = inside(query_.bounds);
+        if (is_solid_) {
+            solid_ = std::get<Solid>(answer.shape) & region;
+            sheet_ = boundary(solid_);
+        } else {
+            sheet_ = std::get<Sheet>(answer.shape) & region;
+        }
+    }
+
+    Seen look(double x, double y) const {
+        const Ray ray = ray_through(query_.camera, query_.width, query_.height, x, y);
+        Seen seen;
+        for (const Crossing& crossing : sheet_(ray)) {
+            if (crossing.t < 0) continue;
+            if (seen.crossings++ == 0) {
+                const glm::dvec3 n = glm::normalize(crossing.normal);
+                seen.depth = crossing.t;
+                seen.normal = glm::dot(n, ray.direction) > 0 ? -n : n;
+            }
+        }
+        if (is_solid_ && std::ranges::any_of(solid_(ray), [](const Span& span) {
+                return span.enter.t <= 0 && span.leave.t >= 0;
+            })) {
+            seen.depth = 0;
+            seen.normal = glm::dvec3(0);
+        }
+        return seen;
+    }
+
+    /// True if a silhouette may pass within half a pixel of a pixel's centre.
+    bool at_silhouette(int i, int j, const Seen& seen) const {
+        return any_around(i, j, [&](const Seen& other) {
+            return other.crossings != seen.crossings ||
+                   std::isfinite(other.depth) != std::isfinite(seen.depth);
+        });
+    }
+
+    /// True if the normal changes much within half a pixel.
+    bool at_edge(int i, int j, const Seen& seen) const {
+        return any_around(i, j, [&](const Seen& other) {
+            return glm::dot(other.normal, seen.normal) < 0.95;
+        });
+    }
+
+    Ray ray(int i, int j) const {
+        return ray_through(query_.camera, query_.width, query_.height, i + 0.5, j + 0.5);
+    }
+
+private:
+    template <class Predicate>
+    bool any_around(int i, int j, Predicate predicate) const {
+        for (int k = 0; k < 8; ++k) {
+            const double angle = k * std::atan(1.0);
+            if (predicate(look(i + 0.5 + 0.5 * std::cos(angle), j + 0.5 + 0.5 * std::sin(angle)))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const Query& query_;
+    bool is_solid_;
+    Solid solid_ = nothing();
+    Sheet sheet_;
+};
+
+void compare_depth(Agreement& agreement, double expected, double actual, int i, int j) {
+    const double error = std::abs(actual - expected) / std::max(expected, 1e-30);
+    if (!(error <= depth_tolerance)) ++agreement.off_depth;
+    if (!(error <= agreement.depth_error)) {
+        agreement.depth_error = error;
+        agreement.worst =
+            fmt::format("pixel {},{} has depth {:.9g} instead of {:.9g}", i, j, actual, expected);
+    }
+}
+
+void compare_normal(Agreement& agreement, const glm::dvec3& expected, const glm::dvec3& actual,
+                    const glm::dvec3& direction, bool at_edge) {
+    const bool sound = std::abs(glm::length(actual) - 1) <= 1e-5 &&
+                       glm::dot(actual, direction) <= 1e-6;
+    double angle = 0;
+    if (!at_edge) angle = glm::length(glm::cross(expected, actual));
+    if (!at_edge && glm::dot(expected, actual) < 0) angle = 2;
+    if (!sound || !(angle < normal_tolerance)) ++agreement.off_normal;
+    agreement.normal_error = std::max(agreement.normal_error, angle);
+}
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& stream, const Answer& answer) {
+    return stream << answer.name;
+}
+
+std::ostream& operator<<(std::ostream& stream, const Agreement& a) {
+    return stream << fmt::format(
+               "{} compared, {} missed, {} phantom, {} off in depth (worst {:.3g}{}{}), {} off in "
+               "normal (worst {:.3g} rad), {} unresolved",
+               a.compared, a.missed, a.phantom, a.off_depth, a.depth_error,
+               a.worst.empty() ? "" : ": ", a.worst, a.off_normal, a.normal_error, a.unresolved);
+}
+
+Agreement compare(const Answer& answer) { return compare(answer, render(answer.query)); }
+
+Agreement compare(const Answer& answer, const render::Still& still) {
+    const Eye eye(answer);
+    Agreement agreement;
+    if (still.geometry.width != answer.query.width) {
+        agreement.missed = answer.query.width * answer.query.height;
+        return agreement;
+    }
+    agreement.unresolved = count(still, shader::Status::unresolved);
+    for (int j = 0; j < still.geometry.height; ++j) {
+        for (int i = 0; i < still.geometry.width; ++i) {
+            const Seen seen = eye.look(i + 0.5, j + 0.5);
+            if (eye.at_silhouette(i, j, seen)) continue;
+            ++agreement.compared;
+            const bool hit = std::isfinite(seen.depth);
+            const bool found = std::isfinite(depth(still, i, j));
+            agreement.missed += hit && !found;
+            agreement.phantom += !hit && found;
+            if (!hit || !found) continue;
+            compare_depth(agreement, seen.depth, depth(still, i, j), i, j);
+            if (seen.depth > 0) {
+                compare_normal(agreement, seen.normal, normal(still, i, j), eye.ray(i, j).direction,
+                               eye.at_edge(i, j, seen));
+            }
+        }
+    }
+    return agreement;
+}
+
+}  // namespace render_answers
