@@ -32,7 +32,9 @@ std::string excerpt(std::string_view text, SourceSpan span) {
         std::size_t begin =
             std::min(at > widest_line / 2 ? at - widest_line / 2 : 0, line.size() - widest_line);
         while (begin < at && continues_character(line[begin])) ++begin;
-        line = line.substr(begin, widest_line);
+        std::size_t end = std::min(begin + widest_line, line.size());
+        while (end < line.size() && continues_character(line[end])) ++end;
+        line = line.substr(begin, end - begin);
         at -= begin;
     }
     at = std::min(at, line.size());

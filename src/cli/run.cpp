@@ -12,6 +12,8 @@
 #include "cli/input.h"
 #include "cli/render_command.h"
 #include "cli/render_options.h"
+#include "scene/preset.h"
+#include "studio/studio.h"
 
 namespace cli {
 namespace {
@@ -71,8 +73,16 @@ CLI::App* add_studio(CLI::App& app, Arguments& a) {
 }
 
 int studio_command(const Arguments& a) {
-    (void)a;
-    base::Status status = base::error("no studio");
+    studio::Options options;
+    auto preset = scene::find_preset(a.studio_preset.empty() ? "default" : a.studio_preset);
+    if (preset) {
+        options.preset = *preset;
+    } else if (!a.studio_preset.empty()) {
+        report(preset.problems());
+        return failed;
+    }
+    const base::Status status = studio::run(options);
+    if (!status) report(status.problems());
     return status ? success : failed;
 }
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "formula/grammar.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <boost/spirit/home/x3.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "formula/limits.h"
+#include "formula/building.h"
 #include "formula/number.h"
 
 namespace boost::spirit::x3 {
@@ -30,61 +27,11 @@ namespace {
 
 namespace x3 = boost::spirit::x3;
 
-using Place = const char*;
-
-/// What the actions build, and what they must know about the text before a place.
-struct Building {
-    Place text;
-    Program& program;
-    base::Diagnostics& errors;
-    bool in_parameter = false;
-    Place number_end = nullptr;  ///< where the last number ended
-    bool too_high = false;
-
-    base::SourceSpan span(Place begin, Place end) const {
-        return {static_cast<std::uint32_t>(begin - text), static_cast<std::uint32_t>(end - text)};
-    }
-
-    ExpressionId add(ExpressionNode node, base::SourceSpan span) {
-        const ExpressionId id = program.add(std::move(node), span);
-        if (program[id].height > max_height && !too_high) {
-            too_high = true;
-            errors.push_back(base::error(
-                span, fmt::format("the expression nests more than {} levels deep; give parts of it "
-                                  "names in definitions",
-                                  max_height)));
-        }
-        return id;
-    }
-};
 struct building_tag;
 
 template <class Context>
 Building& building(const Context& context) {
     return x3::get<building_tag>(context);
-}
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-
-Place skip_blanks(Place first, Place last) { return std::find_if_not(first, last, is_blank); }
-
-Place name_end(Place first, Place last) {
-    if (first == last || !is_letter(*first)) return first;
-    return std::find_if_not(first, last, [](char c) { return is_letter(c) || is_digit(c); });
-}
-
-/// A bracket that is opened on the same line, as a call needs it.
-bool opens_bracket(Place first, Place last) {
-    first = skip_blanks(first, last);
-    return first != last && *first == '(';
-}
-
-/// True for `in` and `step` where they introduce a part of a parameter's declaration.
-bool is_keyword(const Building& building, Place first, Place end, Place last) {
-    const std::string_view word(first, static_cast<std::size_t>(end - first));
-    return building.in_parameter && (word == "in" || (word == "step" && !opens_bracket(end, last)));
 }
 
 /// A parser of a token: skips blanks and comments, then lets `match` say where the token ends (at
@@ -103,8 +50,7 @@ struct TokenParser : x3::parser<TokenParser<Match>> {
         x3::skip_over(begin, last, context);
         const Place end = match(building(context), begin, last);
         if (end == begin) return false;
-        x3::traits::move_to(std::string_view(begin, static_cast<std::size_t>(end - begin)),
-                            attribute);
+        x3::traits::move_to(between(begin, end), attribute);
         first = end;
         return true;
     }
@@ -130,42 +76,25 @@ struct Condition : x3::parser<Condition<Holds>> {
 };
 
 const TokenParser number_token([](const Building&, Place first, Place last) {
-    return first + number_length({first, static_cast<std::size_t>(last - first)});
+    return number_end(first, last);
 });
-
 const TokenParser name_token([](const Building& building, Place first, Place last) {
-    const Place end = name_end(first, last);
-    return is_keyword(building, first, end, last) ? first : end;
+    return name_end(building, first, last);
 });
-
 const TokenParser label_token([](const Building&, Place first, Place last) {
-    if (first == last || *first != '"') return first;
-    const Place quote = std::find(first + 1, last, '"');
-    return quote == last ? first : quote + 1;
+    return label_end(first, last);
 });
+auto keyword(std::string_view word) {
+    return TokenParser([word](const Building&, Place first, Place last) {
+        const Place end = word_end(first, last);
+        return between(first, end) == word ? end : first;
+    });
+}
 
 const Condition call_follows([](const Building&, Place first, Place last) {
     return opens_bracket(first, last);
 });
-
-/// A number before a name or a bracket; a closing bracket before a name, a number or a bracket; on
-/// one line.
-const Condition product_is_implied([](const Building& building, Place first, Place last) {
-    const bool after_bracket = first != building.text && first[-1] == ')';
-    if (!after_bracket && first != building.number_end) return false;
-    const Place next = skip_blanks(first, last);
-    if (next == last) return false;
-    if (is_letter(*next)) return !is_keyword(building, next, name_end(next, last), last);
-    if (*next == '(') return true;
-    return after_bracket && number_length({next, static_cast<std::size_t>(last - next)}) > 0;
-});
-
-auto keyword(std::string_view word) {
-    return TokenParser([word](const Building&, Place first, Place last) {
-        const Place end = name_end(first, last);
-        return std::string_view(first, static_cast<std::size_t>(end - first)) == word ? end : first;
-    });
-}
+const Condition product_is_implied(implies_product);
 
 using Operands = std::vector<Operand>;
 using Expressions = std::vector<ExpressionId>;

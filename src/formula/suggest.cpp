@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "formula/suggest.h"
 
+#include "base/edit_distance.h"
+
 #include <algorithm>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace formula {
 namespace {
@@ -43,25 +44,6 @@ std::size_t tolerance(std::string_view name) {
 
 }  // namespace
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    // Three rows of the table of distances between the beginnings of a and b.
-    std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-            row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-                row[j] = std::min(row[j], before[j - 2] + 1);
-            }
-        }
-        std::swap(before, above);
-        std::swap(above, row);
-    }
-    return above[b.size()];
-}
-
 std::string_view nearest(std::string_view name, std::span<const std::string_view> candidates) {
     const std::string lower = lower_case(name);
     std::string_view best;
@@ -70,7 +52,7 @@ std::string_view nearest(std::string_view name, std::span<const std::string_view
         const std::size_t longer = std::max(candidate.size(), name.size());
         if (longer - std::min(candidate.size(), name.size()) > 2) continue;
         const std::string other = lower_case(candidate);
-        const std::size_t distance = lower == other ? 0 : edit_distance(lower, other);
+        const std::size_t distance = lower == other ? 0 : base::edit_distance(lower, other);
         if (distance < best_distance || (distance == best_distance && candidate < best)) {
             best = candidate;
             best_distance = distance;

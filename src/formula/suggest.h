@@ -7,10 +7,6 @@
 
 namespace formula {
 
-/// How many letters must be inserted, deleted, replaced or swapped with their neighbour to get from
-/// one name to the other.
-std::size_t edit_distance(std::string_view a, std::string_view b);
-
 /// The candidate that was probably meant: another spelling of capitals, a common name of the same
 /// thing elsewhere (`ln`, `arcsin`), or one that is one letter away, two letters for names of six
 /// or more; empty if there is none. Of several at the same distance the first in the alphabet.

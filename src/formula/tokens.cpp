@@ -14,12 +14,6 @@ namespace {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-std::size_t name_length(std::string_view text) {
-    const auto end = std::find_if(text.begin(), text.end(),
-                                  [](char c) { return !is_letter(c) && !is_digit(c); });
-    return static_cast<std::size_t>(end - text.begin());
-}
-
 std::size_t label_length(std::string_view text) {
     const std::size_t end = text.find_first_of("\"\n", 1);
     if (end == std::string_view::npos) return text.size();
@@ -30,11 +24,12 @@ std::size_t label_length(std::string_view text) {
 Token front(std::string_view text) {
     Token token;
     std::size_t length = number_length(text);
+    const std::size_t letters = name_length(text);
     if (length > 0) {
         token.kind = Token::Kind::number;
-    } else if (is_letter(text[0])) {
+    } else if (letters > 0) {
         token.kind = Token::Kind::name;
-        length = name_length(text);
+        length = letters;
     } else if (text[0] == '"') {
         token.kind = Token::Kind::label;
         length = label_length(text);
@@ -130,6 +125,13 @@ void check_brackets(std::string_view text, std::span<const Token> tokens,
 }
 
 }  // namespace
+
+std::size_t name_length(std::string_view text) {
+    if (text.empty() || is_digit(text[0])) return 0;
+    const auto end = std::find_if(text.begin(), text.end(),
+                                  [](char c) { return !is_letter(c) && !is_digit(c); });
+    return static_cast<std::size_t>(end - text.begin());
+}
 
 std::vector<Token> tokenize(std::string_view text) {
     std::vector<Token> tokens;

@@ -3,6 +3,7 @@
 // the ends of statements, and says what stood around a place where the grammar failed.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -23,6 +24,10 @@ struct Token {
         return source.substr(span.begin, span.end - span.begin);
     }
 };
+
+/// How many bytes at the front of the text are a name: letters of ASCII, digits and `_`, no digit
+/// first. 0 if there is none.
+std::size_t name_length(std::string_view text);
 
 /// All tokens of a text that check_characters accepts, without blanks and comments. `<=` and `>=`
 /// are one token, all other signs are one character. A label that is not closed ends with its line.

@@ -33,7 +33,8 @@ NodeId expand_powers(Graph& graph, NodeId id) {
     } else if (size >= 1 && size <= largest_exponent && size == std::floor(size)) {
         power = whole_power(graph, base, static_cast<int>(size));
     } else {
-        return exponent == 0 ? graph.constant(1) : id;
+        // What is undefined stays so, also to the power of 0; leaves never are.
+        return exponent == 0 && graph[base].args().empty() ? graph.constant(1) : id;
     }
     return exponent > 0 ? power : graph.apply(Op::div, graph.constant(1), power);
 }

@@ -88,7 +88,7 @@ ImGuiStyle style_for(float scale) {
     style.IndentSpacing = 14;
     style.ScrollbarSize = 11;
     style.GrabMinSize = 11;
-    style.WindowRounding = 0;
+    style.WindowRounding = 6;
     style.ChildRounding = 4;
     style.FrameRounding = 4;
     style.PopupRounding = 6;

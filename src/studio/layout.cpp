@@ -22,7 +22,10 @@ constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWin
 bool begin_fixed(const char* name, const Box& box, ImGuiWindowFlags flags = 0) {
     ImGui::SetNextWindowPos(ImVec2(box.x, box.y));
     ImGui::SetNextWindowSize(ImVec2(box.width, box.height));
-    return ImGui::Begin(name, nullptr, fixed_window | flags);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    const bool shown = ImGui::Begin(name, nullptr, fixed_window | flags);
+    ImGui::PopStyleVar();
+    return shown;
 }
 
 /// A thin bar that is dragged; answers by how much.
@@ -123,14 +126,12 @@ void show_message_area(Workspace& workspace, const Box& box) {
                             ImVec2(0, 1));
     ImGui::SetNextWindowSize(ImVec2(std::min(box.width - 2 * margin, 560 * workspace.scale), 0));
     ImGui::SetNextWindowBgAlpha(0.85f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6);
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
     ImGui::Begin("Newest messages", nullptr, flags);
     show_messages(workspace);
     ImGui::End();
-    ImGui::PopStyleVar();
 }
 
 }  // namespace

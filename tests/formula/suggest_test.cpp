@@ -8,15 +8,6 @@
 namespace formula {
 namespace {
 
-TEST(Suggest, counts_edits) {
-    EXPECT_EQ(edit_distance("", "abc"), 3u);
-    EXPECT_EQ(edit_distance("sine", "sin"), 1u);
-    EXPECT_EQ(edit_distance("sine", "sinh"), 1u);
-    EXPECT_EQ(edit_distance("shpere", "sphere"), 1u);
-    EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
-    EXPECT_EQ(edit_distance("abc", "abc"), 0u);
-}
-
 TEST(Suggest, finds_the_name_that_was_meant) {
     const std::vector<std::string_view> names = built_in_names();
     EXPECT_EQ(nearest("sine", names), "sin");

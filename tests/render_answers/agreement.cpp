@@ -27,13 +27,49 @@ class Eye {
 public:
     explicit Eye(const Answer& answer)
         : query_(answer.query), is_solid_(std::holds_alternative<Solid>(answer.shape)) {
-        const Solid region = inside(query_.bounds);
+        Solid region = inside(query_.bounds);
+        if (query_.bounds.shape == scene::Bounds::Shape::none) {
+            region = ball(scene::far_distance, query_.camera.eye);
+        }
         if (is_solid_) {
             solid_ = std::get<Solid>(answer.shape) & region;
             sheet_ = boundary(solid_);
         } else {
             sheet_ = std::get<Sheet>(answer.shape) & region;
         }
+        const int columns = 2 * query_.width + 1;
+        const int rows = 2 * query_.height + 1;
+        for (int b = 0; b < rows; ++b) {
+            for (int a = 0; a < columns; ++a) seen_.push_back(look(a / 2.0, b / 2.0));
+        }
+    }
+
+    const Seen& at_centre(int i, int j) const { return at(2 * i + 1, 2 * j + 1); }
+
+    /// True if a silhouette passes through the pixel, as far as its corners and edges tell.
+    bool at_silhouette(int i, int j) const {
+        const Seen& seen = at_centre(i, j);
+        return any_around(i, j, [&](const Seen& other) {
+            return other.crossings != seen.crossings ||
+                   std::isfinite(other.depth) != std::isfinite(seen.depth);
+        });
+    }
+
+    /// True if the normal changes much within the pixel.
+    bool at_edge(int i, int j) const {
+        const Seen& seen = at_centre(i, j);
+        return any_around(i, j, [&](const Seen& other) {
+            return glm::dot(other.normal, seen.normal) < 0.95;
+        });
+    }
+
+    Ray ray(int i, int j) const {
+        return ray_through(query_.camera, query_.width, query_.height, i + 0.5, j + 0.5);
+    }
+
+private:
+    const Seen& at(int a, int b) const {
+        return seen_[static_cast<std::size_t>(b) * (2 * query_.width + 1) + a];
     }
 
     Seen look(double x, double y) const {
@@ -56,32 +92,11 @@ public:
         return seen;
     }
 
-    /// True if a silhouette may pass within half a pixel of a pixel's centre.
-    bool at_silhouette(int i, int j, const Seen& seen) const {
-        return any_around(i, j, [&](const Seen& other) {
-            return other.crossings != seen.crossings ||
-                   std::isfinite(other.depth) != std::isfinite(seen.depth);
-        });
-    }
-
-    /// True if the normal changes much within half a pixel.
-    bool at_edge(int i, int j, const Seen& seen) const {
-        return any_around(i, j, [&](const Seen& other) {
-            return glm::dot(other.normal, seen.normal) < 0.95;
-        });
-    }
-
-    Ray ray(int i, int j) const {
-        return ray_through(query_.camera, query_.width, query_.height, i + 0.5, j + 0.5);
-    }
-
-private:
     template <class Predicate>
     bool any_around(int i, int j, Predicate predicate) const {
-        for (int k = 0; k < 8; ++k) {
-            const double angle = k * std::atan(1.0);
-            if (predicate(look(i + 0.5 + 0.5 * std::cos(angle), j + 0.5 + 0.5 * std::sin(angle)))) {
-                return true;
+        for (int b = 2 * j; b <= 2 * j + 2; ++b) {
+            for (int a = 2 * i; a <= 2 * i + 2; ++a) {
+                if (predicate(at(a, b))) return true;
             }
         }
         return false;
@@ -91,6 +106,7 @@ private:
     bool is_solid_;
     Solid solid_ = nothing();
     Sheet sheet_;
+    std::vector<Seen> seen_;  ///< at centres, corners and middles of edges of all pixels
 };
 
 void compare_depth(Agreement& agreement, double expected, double actual, int i, int j) {
@@ -137,21 +153,27 @@ Agreement compare(const Answer& answer, const render::Still& still) {
         agreement.missed = answer.query.width * answer.query.height;
         return agreement;
     }
-    agreement.unresolved = count(still, shader::Status::unresolved);
     for (int j = 0; j < still.geometry.height; ++j) {
         for (int i = 0; i < still.geometry.width; ++i) {
-            const Seen seen = eye.look(i + 0.5, j + 0.5);
-            if (eye.at_silhouette(i, j, seen)) continue;
+            const Seen& seen = eye.at_centre(i, j);
+            if (eye.at_silhouette(i, j)) continue;
             ++agreement.compared;
+            if (status(still, i, j) == shader::Status::unresolved) {
+                ++agreement.unresolved;
+                continue;
+            }
             const bool hit = std::isfinite(seen.depth);
             const bool found = std::isfinite(depth(still, i, j));
             agreement.missed += hit && !found;
             agreement.phantom += !hit && found;
+            if (hit != found && agreement.depth_error == 0) {
+                agreement.worst = fmt::format("pixel {},{} should {}hit", i, j, hit ? "" : "not ");
+            }
             if (!hit || !found) continue;
             compare_depth(agreement, seen.depth, depth(still, i, j), i, j);
             if (seen.depth > 0) {
                 compare_normal(agreement, seen.normal, normal(still, i, j), eye.ray(i, j).direction,
-                               eye.at_edge(i, j, seen));
+                               eye.at_edge(i, j));
             }
         }
     }

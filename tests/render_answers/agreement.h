@@ -20,20 +20,20 @@ struct Answer {
 
 std::ostream& operator<<(std::ostream& stream, const Answer& answer);
 
-/// Pixels, except for those within half a pixel of a silhouette: of the shape, of a part of it in
-/// front of another, or hidden.
+/// Pixels, except for those that a silhouette passes through: of the shape, of a part of it in front of
+/// another, or hidden.
 struct Agreement {
     int compared = 0;
     int missed = 0;       ///< there is a surface, and none was found
     int phantom = 0;      ///< there is none, and one was found
     int off_depth = 0;    ///< the relative error of the depth is above 1e-5
     int off_normal = 0;   ///< not of unit length, not facing the eye, or 2e-3 radians or more away
-    int unresolved = 0;   ///< in the whole picture
+    int unresolved = 0;   ///< the tracer gave up
     double depth_error = 0;   ///< the largest relative one
     double normal_error = 0;  ///< the largest angle in radians, away from edges
-    std::string worst;        ///< the pixel of the largest error in depth, in words
+    std::string worst;        ///< a pixel that is wrong, in words
 
-    int wrong() const { return missed + phantom + off_depth + off_normal; }
+    int wrong() const { return missed + phantom + off_depth + off_normal + unresolved; }
 };
 
 std::ostream& operator<<(std::ostream& stream, const Agreement& agreement);

@@ -248,7 +248,6 @@ TEST_P(KnownAnswer, is_what_the_renderer_shows) {
         return;
     }
     EXPECT_EQ(agreement.wrong(), 0) << formula << ": " << agreement;
-    EXPECT_EQ(agreement.unresolved, 0) << formula << ": " << agreement;
     EXPECT_GT(agreement.compared, 5000) << formula;
 }
 

@@ -41,6 +41,10 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
 
 std::vector<double> sign_changes(const Polynomial& polynomial, double low, double high) {
     if (polynomial.coefficients.size() < 2) return {};
+    if (polynomial.coefficients.size() == 2) {
+        const double root = -polynomial.coefficients[0] / polynomial.coefficients[1];
+        return low < root && root < high ? std::vector<double>{root} : std::vector<double>{};
+    }
     // Between two neighbouring extrema the polynomial is monotonic.
     std::vector<double> ends{low};
     for (const double t : sign_changes(polynomial.derivative(), low, high)) ends.push_back(t);

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "formula/building.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "formula/limits.h"
+#include "formula/number.h"
+#include "formula/tokens.h"
+
+namespace formula {
+namespace {
+
+Place skip_blanks(Place first, Place last) {
+    return std::find_if(first, last, [](char c) { return c != ' ' && c != '\t' && c != '\r'; });
+}
+
+}  // namespace
+
+ExpressionId Building::add(ExpressionNode node, base::SourceSpan span) {
+    const ExpressionId id = program.add(std::move(node), span);
+    if (program[id].height > max_height && !too_high) {
+        too_high = true;
+        errors.push_back(base::error(
+            span, fmt::format("the expression nests more than {} levels deep; give parts of it "
+                              "names in definitions",
+                              max_height)));
+    }
+    return id;
+}
+
+std::string_view between(Place first, Place last) {
+    return {first, static_cast<std::size_t>(last - first)};
+}
+
+Place number_end(Place first, Place last) { return first + number_length(between(first, last)); }
+
+Place word_end(Place first, Place last) { return first + name_length(between(first, last)); }
+
+Place name_end(const Building& building, Place first, Place last) {
+    const Place end = word_end(first, last);
+    const std::string_view word = between(first, end);
+    const bool keyword = word == "in" || (word == "step" && !opens_bracket(end, last));
+    return building.in_parameter && keyword ? first : end;
+}
+
+Place label_end(Place first, Place last) {
+    if (first == last || *first != '"') return first;
+    const Place quote = std::find(first + 1, last, '"');
+    return quote == last ? first : quote + 1;
+}
+
+bool opens_bracket(Place first, Place last) {
+    first = skip_blanks(first, last);
+    return first != last && *first == '(';
+}
+
+bool implies_product(const Building& building, Place first, Place last) {
+    const bool after_bracket = first != building.text && first[-1] == ')';
+    if (!after_bracket && first != building.number_end) return false;
+    const Place next = skip_blanks(first, last);
+    if (opens_bracket(next, last) || name_end(building, next, last) != next) return true;
+    return after_bracket && number_end(next, last) != next;
+}
+
+}  // namespace formula

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Each identity, and what looks like one but is none.
+#include "passes/simplify.h"
+
+#include <gtest/gtest.h>
+
+#include "passes/rule.h"
+
+namespace passes {
+namespace {
+
+std::string simple(Expr expression) { return rewritten(simplify, expression); }
+
+TEST(Simplify, drops_neutral_operands) {
+    Leaves l;
+    EXPECT_EQ(simple(l.x + 0.0), "x");
+    EXPECT_EQ(simple(0.0 + l.x), "x");
+    EXPECT_EQ(simple(l.x - 0.0), "x");
+    EXPECT_EQ(simple(l.x * 1.0), "x");
+    EXPECT_EQ(simple(1.0 * l.x), "x");
+    EXPECT_EQ(simple(l.x / 1.0), "x");
+}
+
+TEST(Simplify, joins_signs_with_sums) {
+    Leaves l;
+    EXPECT_EQ(simple(l.x + -l.y), "sub(x, y)");
+    EXPECT_EQ(simple(-l.x + l.y), "sub(y, x)");
+    EXPECT_EQ(simple(l.x - -l.y), "add(x, y)");
+    EXPECT_EQ(simple(0.0 - l.x), "neg(x)");
+}
+
+TEST(Simplify, turns_factors_of_minus_one_into_signs) {
+    Leaves l;
+    EXPECT_EQ(simple(l.x * -1.0), "neg(x)");
+    EXPECT_EQ(simple(-1.0 * l.x), "neg(x)");
+    EXPECT_EQ(simple(l.x / -1.0), "neg(x)");
+    EXPECT_EQ(simple(-l.x * -l.y), "mul(x, y)");
+}
+
+TEST(Simplify, drops_signs_that_do_not_matter) {
+    Leaves l;
+    EXPECT_EQ(simple(-(-l.x)), "x");
+    EXPECT_EQ(simple(abs(-l.x)), "abs(x)");
+    EXPECT_EQ(simple(abs(abs(l.x))), "abs(x)");
+}
+
+TEST(Simplify, drops_choices_between_equals) {
+    Leaves l;
+    EXPECT_EQ(simple(min(l.x, l.x)), "x");
+    EXPECT_EQ(simple(max(l.x, l.x)), "x");
+    EXPECT_EQ(simple(select_less(l.x, l.y, l.z, l.z)), "z");
+}
+
+TEST(Simplify, sees_what_becomes_simple_below) {
+    Leaves l;
+    EXPECT_EQ(simple(-(-(l.x + 0.0)) * (l.y * 1.0)), "mul(x, y)");
+}
+
+TEST(Simplify, keeps_products_with_zero) {
+    Leaves l;
+    EXPECT_EQ(simple(0.0 * log(l.x)), "mul(0, log(x))");
+    EXPECT_EQ(simple(log(l.x) * 0.0), "mul(log(x), 0)");
+}
+
+TEST(Simplify, keeps_what_may_be_undefined) {
+    Leaves l;
+    EXPECT_EQ(simple(l.x - l.x), "sub(x, x)") << "an infinity less itself";
+    EXPECT_EQ(simple(l.x / l.x), "div(x, x)");
+    EXPECT_EQ(simple(0.0 / l.x), "div(0, x)");
+    EXPECT_EQ(simple(select_less(l.x, l.y, l.z, l.x)), "select_less(x, y, z, x)");
+    EXPECT_EQ(simple(-l.x * l.y), "mul(neg(x), y)");
+}
+
+}  // namespace
+}  // namespace passes

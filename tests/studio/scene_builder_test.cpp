@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// What the compiler's thread makes of documents, with a driver that only counts.
+#include "studio/scene_builder.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using studio::BuiltScene;
+using studio::SceneBuilder;
+
+bool never() { return false; }
+
+scene::Document with_formula(std::string text) {
+    scene::Document document;
+    document.formula = std::move(text);
+    return document;
+}
+
+/// Links nothing, and counts how often it was asked to.
+struct FakeDriver {
+    int links = 0;
+    bool refuses = false;
+
+    SceneBuilder::Link link() {
+        return [this](const shader::ProgramSource&, const scene::Document&,
+                      const std::vector<float>&) -> base::Result<std::unique_ptr<render::Program>> {
+            ++links;
+            if (refuses) return base::error("the driver says no");
+            return std::unique_ptr<render::Program>();
+        };
+    }
+};
+
+TEST(SceneBuilder, links_once_for_any_values_of_parameters) {
+    FakeDriver driver;
+    SceneBuilder builder(driver.link());
+    scene::Document document = with_formula("param a = 1 in [0, 2]\na*x^2 + y^2 + z^2 = 1");
+    auto first = builder.build(document, never);
+    ASSERT_TRUE(first && first->field_values && first->parameters);
+    EXPECT_EQ(first->parameters->at(0).name, "a");
+    document.parameters["a"] = 1.5;
+    auto second = builder.build(document, never);
+    ASSERT_TRUE(second && second->field_values);
+    EXPECT_EQ(driver.links, 1);
+    EXPECT_NE(*first->field_values, *second->field_values);
+}
+
+TEST(SceneBuilder, keeps_the_last_good_scene_while_the_text_is_broken) {
+    FakeDriver driver;
+    SceneBuilder builder(driver.link());
+    scene::Document document = with_formula("param a = 1 in [0, 2]\na*x^2 + y^2 + z^2 = 1");
+    const auto good = builder.build(document, never);
+    document.formula += " +";
+    const auto broken = builder.build(document, never);
+    ASSERT_TRUE(good && broken);
+    EXPECT_TRUE(base::has_errors(broken->diagnostics));
+    EXPECT_EQ(broken->text, document.formula);
+    EXPECT_FALSE(broken->parameters);
+    EXPECT_EQ(broken->field_values, good->field_values);
+    // And its parameters still move it.
+    document.parameters["a"] = 0.5;
+    const auto moved = builder.build(document, never);
+    ASSERT_TRUE(moved);
+    EXPECT_NE(moved->field_values, good->field_values);
+    EXPECT_EQ(driver.links, 1);
+}
+
+TEST(SceneBuilder, links_again_for_another_effect) {
+    FakeDriver driver;
+    SceneBuilder builder(driver.link());
+    scene::Document document = with_formula("x^2 + y^2 + z^2 = 1");
+    ASSERT_TRUE(builder.build(document, never));
+    document.settings.show_steps = true;
+    ASSERT_TRUE(builder.build(document, never));
+    EXPECT_EQ(driver.links, 2);
+    document.settings.exposure = 2;
+    ASSERT_TRUE(builder.build(document, never));
+    EXPECT_EQ(driver.links, 2);
+}
+
+TEST(SceneBuilder, shows_what_the_driver_says_and_does_not_ask_it_again) {
+    FakeDriver driver;
+    SceneBuilder builder(driver.link());
+    const auto good = builder.build(with_formula("x^2 + y^2 + z^2 = 1"), never);
+    driver.refuses = true;
+    for (int i = 0; i < 2; ++i) {
+        const auto built = builder.build(with_formula("x^2 + y^2 + z^4 = 1"), never);
+        ASSERT_TRUE(built);
+        ASSERT_EQ(built->failures.size(), 1u);
+        EXPECT_EQ(built->failures[0].message, "the driver says no");
+        EXPECT_EQ(built->field_values.has_value(), good->field_values.has_value());
+    }
+    EXPECT_EQ(driver.links, 2);
+}
+
+TEST(SceneBuilder, leaves_a_superseded_document_and_comes_back_to_it) {
+    FakeDriver driver;
+    SceneBuilder builder(driver.link());
+    const scene::Document document = with_formula("x^2 + y^2 + z^2 = 1");
+    EXPECT_FALSE(builder.build(document, [] { return true; }));
+    EXPECT_EQ(driver.links, 0);
+    EXPECT_TRUE(builder.build(document, never));
+    EXPECT_EQ(driver.links, 1);
+}
+
+TEST(SceneBuilder, reports_an_exception_as_a_failure) {
+    SceneBuilder builder(
+        [](const shader::ProgramSource&, const scene::Document&,
+           const std::vector<float>&) -> base::Result<std::unique_ptr<render::Program>> {
+            throw std::runtime_error("out of luck");
+        });
+    const auto built = builder.build(with_formula("x^2 + y^2 + z^2 = 1"), never);
+    ASSERT_TRUE(built);
+    ASSERT_EQ(built->failures.size(), 1u);
+    EXPECT_EQ(built->failures[0].message,
+              "internal error while compiling: out of luck; change the formula");
+}
+
+}  // namespace
