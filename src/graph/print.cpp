@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <unordered_map>
+#include <utility>
 
 namespace graph {
 
@@ -28,10 +29,12 @@ std::string print(const Graph& graph, std::span<const NodeId> roots,
             right = "parameter " + graph.name(static_cast<ParameterId>(node.symbol));
         } else {
             right = facts(node.op).name;
-            for (NodeId argument : node.args()) right += ' ' + name.at(argument);
+            for (NodeId argument : node.args()) right.append(" ").append(name.at(argument));
         }
-        name[id] = "n" + std::to_string(name.size());
-        text += name[id] + " = " + right + '\n';
+        std::string fresh(1, 'n');
+        fresh += std::to_string(name.size());
+        text.append(fresh).append(" = ").append(right).append("\n");
+        name.emplace(id, std::move(fresh));
     }
     if (names) {
         names->clear();

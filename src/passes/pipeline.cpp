@@ -10,8 +10,10 @@ namespace passes {
 namespace {
 
 constexpr Pass order[] = {
-    {"fold constants", fold_constants},       {"expand powers", expand_powers},
-    {"recognise lengths", recognise_hypot},   {"simplify", simplify},
+    {"fold constants", fold_constants},
+    {"expand powers", expand_powers},
+    {"simplify", simplify},
+    {"recognise lengths", recognise_hypot},
     {"fold constants again", fold_constants},
 };
 

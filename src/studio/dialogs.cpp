@@ -56,6 +56,8 @@ void show_problem(const Dialogs& dialogs) {
     ImGui::PopStyleColor();
 }
 
+bool pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); }
+
 /// The two buttons at the bottom. A dialog may also be left with Escape.
 enum class Choice { none, yes, cancel };
 Choice choose(const char* yes, float scale) {
@@ -64,8 +66,7 @@ Choice choose(const char* yes, float scale) {
     Choice choice = Choice::none;
     if (ImGui::Button(yes, size)) choice = Choice::yes;
     ImGui::SameLine();
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-    if (ImGui::Button("Cancel", size) || escape) choice = Choice::cancel;
+    if (ImGui::Button("Cancel", size) || pressed(ImGuiKey_Escape)) choice = Choice::cancel;
     return choice;
 }
 
@@ -140,7 +141,7 @@ void show_unsaved(Workspace& workspace) {
     ImGui::Text("'%s' has changes that are not saved.", workspace.name().c_str());
     ImGui::Spacing();
     const ImVec2 size(110 * workspace.scale, 0);
-    if (ImGui::Button("Save", size)) {
+    if (ImGui::Button("Save", size) || pressed(ImGuiKey_Enter)) {
         close(dialogs);
         save(workspace);
         // Asking for a name comes first; a failure is shown, and nothing is lost.
@@ -154,8 +155,7 @@ void show_unsaved(Workspace& workspace) {
         return resume(workspace);
     }
     ImGui::SameLine();
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-    if (ImGui::Button("Cancel", size) || escape) {
+    if (ImGui::Button("Cancel", size) || pressed(ImGuiKey_Escape)) {
         dialogs.pending.reset();
         close(dialogs);
     }
@@ -194,7 +194,7 @@ void show_recover(Workspace& workspace) {
     ImGui::TextUnformatted(dialogs.recovered->formula.substr(0, 400).c_str());
     ImGui::PopFont();
     ImGui::Spacing();
-    if (ImGui::Button("Recover", ImVec2(110 * workspace.scale, 0))) {
+    if (ImGui::Button("Recover", ImVec2(110 * workspace.scale, 0)) || pressed(ImGuiKey_Enter)) {
         workspace.replace(*std::exchange(dialogs.recovered, std::nullopt), std::nullopt, false);
         workspace.saved = first_document();
         return close(dialogs);

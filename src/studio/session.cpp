@@ -10,7 +10,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include "scene/preset.h"
 #include "studio/actions.h"
 #include "studio/document_file.h"
 #include "studio/layout.h"
@@ -31,16 +30,6 @@ bool compiles_alike(const scene::Document& a, const scene::Document& b) {
            a.bounds == b.bounds && a.settings == b.settings;
 }
 
-/// The shipped preset that the studio begins with.
-std::optional<std::filesystem::path> default_preset() {
-    const std::filesystem::path folder = scene::shipped_presets_folder();
-    std::error_code none;
-    if (folder.empty() || !std::filesystem::exists(folder / "default.json", none)) {
-        return std::nullopt;
-    }
-    return folder / "default.json";
-}
-
 /// The window behind a dialog is being darkened or lit up again.
 bool is_fading() {
     const float ratio = ImGui::GetCurrentContext()->DimBgRatio;
@@ -58,8 +47,8 @@ Session::Session(Window& window, const Options& options)
       compiler_(window.worker_context(), &Window::wake) {
     workspace_.renderer = window.context().renderer();
     workspace_.presets = list_all_presets();
-    if (const auto preset = options.preset ? options.preset : default_preset()) {
-        if (auto status = open_file(workspace_, *preset); !status) {
+    if (options.preset) {
+        if (auto status = open_file(workspace_, *options.preset); !status) {
             workspace_.report_problems(status.problems());
         }
     }

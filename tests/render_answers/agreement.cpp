@@ -109,25 +109,34 @@ private:
     std::vector<Seen> seen_;  ///< at centres, corners and middles of edges of all pixels
 };
 
-void compare_depth(Agreement& agreement, double expected, double actual, int i, int j) {
-    const double error = std::abs(actual - expected) / std::max(expected, 1e-30);
-    if (!(error <= depth_tolerance)) ++agreement.off_depth;
-    if (!(error <= agreement.depth_error)) {
-        agreement.depth_error = error;
-        agreement.worst =
-            fmt::format("pixel {},{} has depth {:.9g} instead of {:.9g}", i, j, actual, expected);
+void note(Agreement& agreement, int i, int j, const std::string& what) {
+    constexpr int most_examples = 6;
+    if (agreement.wrong() <= most_examples) {
+        agreement.examples += fmt::format("\n  pixel {},{}: {}", i, j, what);
     }
 }
 
+void compare_depth(Agreement& agreement, double expected, double actual, int i, int j) {
+    const double error = std::abs(actual - expected) / std::max(expected, 1e-30);
+    if (!(error <= agreement.depth_error)) agreement.depth_error = error;
+    if (error <= depth_tolerance) return;
+    ++agreement.off_depth;
+    note(agreement, i, j, fmt::format("depth {:.9g} instead of {:.9g}", actual, expected));
+}
+
 void compare_normal(Agreement& agreement, const glm::dvec3& expected, const glm::dvec3& actual,
-                    const glm::dvec3& direction, bool at_edge) {
+                    const glm::dvec3& direction, bool at_edge, int i, int j) {
     const bool sound = std::abs(glm::length(actual) - 1) <= 1e-5 &&
                        glm::dot(actual, direction) <= 1e-6;
     double angle = 0;
     if (!at_edge) angle = glm::length(glm::cross(expected, actual));
     if (!at_edge && glm::dot(expected, actual) < 0) angle = 2;
-    if (!sound || !(angle < normal_tolerance)) ++agreement.off_normal;
-    agreement.normal_error = std::max(agreement.normal_error, angle);
+    if (!(angle <= agreement.normal_error)) agreement.normal_error = angle;
+    if (sound && angle < normal_tolerance) return;
+    ++agreement.off_normal;
+    note(agreement, i, j,
+         fmt::format("normal {:.4g},{:.4g},{:.4g} instead of {:.4g},{:.4g},{:.4g}", actual.x, actual.y,
+                     actual.z, expected.x, expected.y, expected.z));
 }
 
 }  // namespace
@@ -138,10 +147,11 @@ std::ostream& operator<<(std::ostream& stream, const Answer& answer) {
 
 std::ostream& operator<<(std::ostream& stream, const Agreement& a) {
     return stream << fmt::format(
-               "{} compared, {} missed, {} phantom, {} off in depth (worst {:.3g}{}{}), {} off in "
-               "normal (worst {:.3g} rad), {} unresolved",
+               "{} compared, {} missed, {} phantom, {} off in depth (worst {:.3g}), {} off in "
+               "normal (worst {:.3g} rad), {} unresolved{}",
                a.compared, a.missed, a.phantom, a.off_depth, a.depth_error,
-               a.worst.empty() ? "" : ": ", a.worst, a.off_normal, a.normal_error, a.unresolved);
+               a.off_normal, a.normal_error, a.unresolved,
+               a.examples);
 }
 
 Agreement compare(const Answer& answer) { return compare(answer, render(answer.query)); }
@@ -166,14 +176,15 @@ Agreement compare(const Answer& answer, const render::Still& still) {
             const bool found = std::isfinite(depth(still, i, j));
             agreement.missed += hit && !found;
             agreement.phantom += !hit && found;
-            if (hit != found && agreement.depth_error == 0) {
-                agreement.worst = fmt::format("pixel {},{} should {}hit", i, j, hit ? "" : "not ");
+            if (hit != found) {
+                note(agreement, i, j, hit ? "missed" : "phantom");
+                continue;
             }
-            if (!hit || !found) continue;
+            if (!hit) continue;
             compare_depth(agreement, seen.depth, depth(still, i, j), i, j);
             if (seen.depth > 0) {
                 compare_normal(agreement, seen.normal, normal(still, i, j), eye.ray(i, j).direction,
-                               eye.at_edge(i, j));
+                               eye.at_edge(i, j), i, j);
             }
         }
     }

@@ -31,7 +31,7 @@ struct Agreement {
     int unresolved = 0;   ///< the tracer gave up
     double depth_error = 0;   ///< the largest relative one
     double normal_error = 0;  ///< the largest angle in radians, away from edges
-    std::string worst;        ///< a pixel that is wrong, in words
+    std::string examples;     ///< the first few wrong pixels, in words
 
     int wrong() const { return missed + phantom + off_depth + off_normal + unresolved; }
 };

@@ -128,7 +128,7 @@ TEST(PictureScheduler, covers_every_pixel_exactly_once) {
 }
 
 TEST(PictureScheduler, splits_tiles_that_turn_out_costly) {
-    PictureScheduler scheduler = settled(512, 512, 1e-8);
+    PictureScheduler scheduler = settled(1024, 1024, 1e-8);
     scheduler.change(20);
     std::vector<DrawingStep> steps;
     while (const auto step = scheduler.next(20)) {
@@ -137,7 +137,7 @@ TEST(PictureScheduler, splits_tiles_that_turn_out_costly) {
     }
     ASSERT_GT(steps.size(), 4u);
     EXPECT_LT(steps.back().tile.width, steps.front().tile.width);
-    EXPECT_EQ(coverage(steps, 512, 512), std::vector<int>(512 * 512, 1));
+    EXPECT_EQ(coverage(steps, 1024, 1024), std::vector<int>(1024 * 1024, 1));
 }
 
 TEST(PictureScheduler, aims_at_tiles_of_its_time) {

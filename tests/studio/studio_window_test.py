@@ -1,0 +1,327 @@
+# SPDX-License-Identifier: MIT
+"""The studio as a user meets it: opens the real window on a display of its own, types, drags, saves,
+and looks at what comes of it.
+
+Usage: studio_window_test.py ZEROSET PRESETS
+Everything is waited for by looking again and again, never for a fixed time; a machine may be slow.
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+PATIENCE = 60  # seconds until something that should happen counts as missing
+WIDTH, HEIGHT = 1280, 800
+PICTURE = (420, 40, 1030, 700)  # left, top, right, bottom: inside the picture, without its messages
+EDITOR = (40, 30, 380, 150)
+SLIDERS = (140, 310, 380, 345)
+SLIDER_GRAB = (0x3F, 0x97, 0xA5)
+
+PARAMETER = 'param a = 0.3 in [0, 1] "depth"'
+EQUATION = 'x^2 + y^2 + 4*a*z^2 = 1.5'
+FORMULA = PARAMETER + '\n' + EQUATION
+
+
+class Failure(Exception):
+    pass
+
+
+def wait_for(what, condition):
+    """Answers the first true value of the condition."""
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.1)
+    raise Failure(f'waited {PATIENCE} s for: {what}')
+
+
+class Display:
+    def __init__(self):
+        reader, writer = os.pipe()
+        self.process = subprocess.Popen(
+            ['Xvfb', '-displayfd', str(writer), '-screen', '0', f'{WIDTH}x{HEIGHT}x24',
+             '-nolisten', 'tcp'],
+            pass_fds=[writer], stderr=subprocess.DEVNULL)
+        os.close(writer)
+        with os.fdopen(reader) as numbers:
+            number = numbers.readline().strip()
+        if not number:
+            raise Failure('Xvfb does not start')
+        self.name = ':' + number
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+class Screen:
+    """One look at the display."""
+
+    def __init__(self, environment):
+        self.bytes = subprocess.run(
+            ['import', '-window', 'root', '-depth', '8', 'rgb:-'], env=environment, check=True,
+            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+        if len(self.bytes) != WIDTH * HEIGHT * 3:
+            raise Failure(f'a look at the display has {len(self.bytes)} bytes')
+
+    def part(self, box):
+        left, top, right, bottom = box
+        rows = (self.bytes[3 * (y * WIDTH + left):3 * (y * WIDTH + right)]
+                for y in range(top, bottom))
+        return b''.join(rows)
+
+    def colours(self, box):
+        part = self.part(box)
+        return set(zip(part[0::3], part[1::3], part[2::3]))
+
+    def places_of(self, colour, box):
+        left, top, right, bottom = box
+        wanted = bytes(colour)
+        for y in range(top, bottom):
+            for x in range(left, right):
+                at = 3 * (y * WIDTH + x)
+                if self.bytes[at:at + 3] == wanted:
+                    yield x, y
+
+
+class Studio:
+    def __init__(self, program, presets, home, display):
+        self.home = home
+        self.environment = dict(
+            os.environ, DISPLAY=display, HOME=str(home), XDG_DATA_HOME=str(home / 'data'),
+            XDG_STATE_HOME=str(home / 'state'), XDG_CACHE_HOME=str(home / 'cache'),
+            ZEROSET_PRESETS=presets, LIBGL_ALWAYS_SOFTWARE='1')
+        self.environment.pop('WAYLAND_DISPLAY', None)
+        self.log = open(home / 'log.txt', 'w+')
+        self.process = subprocess.Popen([program, 'studio'], env=self.environment,
+                                        stdout=self.log, stderr=subprocess.STDOUT)
+        self.window = wait_for('the window', self.find_window)
+        self.run('windowfocus', '--sync', self.window)
+
+    def find_window(self):
+        if self.process.poll() is not None:
+            raise Failure(f'the studio ended with status {self.process.returncode}')
+        found = subprocess.run(['xdotool', 'search', '--onlyvisible', '--name', ' - Zeroset$'],
+                               env=self.environment, stdout=subprocess.PIPE, text=True)
+        return found.stdout.split('\n')[0]
+
+    def run(self, *words):
+        done = subprocess.run(['xdotool', *words], env=self.environment, stdout=subprocess.PIPE,
+                              text=True, check=True)
+        return done.stdout.strip()
+
+    def keys(self, *keys):
+        self.run('key', *keys)
+
+    def type(self, text):
+        self.run('type', '--delay', '8', text)
+
+    def title(self):
+        return self.run('getwindowname', self.window)
+
+    def look(self):
+        if self.process.poll() is not None:
+            raise Failure(f'the studio ended with status {self.process.returncode}')
+        return Screen(self.environment)
+
+    def drag(self, start, offset, steps=12):
+        self.run('mousemove', str(start[0]), str(start[1]), 'mousedown', '1')
+        for i in range(1, steps + 1):
+            self.run('mousemove', str(start[0] + offset[0] * i // steps),
+                     str(start[1] + offset[1] * i // steps))
+        self.run('mouseup', '1')
+
+    def settled_picture(self):
+        """The picture, once it does not change any more."""
+        last = [self.look().part(PICTURE)]
+
+        def same_again():
+            time.sleep(0.6)  # longer than the studio waits before it draws in full
+            now = self.look().part(PICTURE)
+            same = now == last[0]
+            last[0] = now
+            return same
+
+        wait_for('the picture to come to rest', same_again)
+        return last[0]
+
+    def changed_picture(self, before, what):
+        wait_for('another picture ' + what, lambda: self.look().part(PICTURE) != before)
+        return self.settled_picture()
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+        self.log.close()
+
+
+def expect(condition, text):
+    if not condition:
+        raise Failure(text)
+
+
+def has_marked_line(screen):
+    """A line of the editor is tinted red."""
+    return any(r > 80 and r > g + 30 and r > b + 30 for r, g, b in screen.colours(EDITOR))
+
+
+def check_typing(studio):
+    wait_for('a first picture', lambda: len(studio.look().colours(PICTURE)) > 50)
+    first = studio.settled_picture()
+    studio.keys('ctrl+l')
+    studio.keys('ctrl+a')
+    studio.type(FORMULA)
+    typed = studio.changed_picture(first, 'after typing')
+    expect('* - Zeroset' in studio.title(), f'no mark of unsaved work in "{studio.title()}"')
+    autosave = studio.home / 'state' / 'zeroset' / 'autosave.json'
+    wait_for('the automatic copy', lambda: autosave.exists() and EQUATION in autosave.read_text())
+    return typed
+
+
+def check_broken_text(studio, good):
+    time.sleep(1.5)  # ends the burst of typing, so that undo takes only what follows
+    studio.type(' + sine(z)')
+    wait_for('a marked line', lambda: has_marked_line(studio.look()))
+    expect(studio.settled_picture() == good, 'the picture changed although the text is broken')
+    studio.keys('ctrl+z')
+    wait_for('the mark to go', lambda: not has_marked_line(studio.look()))
+    expect(studio.settled_picture() == good, 'the picture is another one after undo')
+
+
+def check_slider(studio, before):
+    studio.run('mousemove', '700', '400')
+    grab = wait_for('a slider', lambda: list(studio.look().places_of(SLIDER_GRAB, SLIDERS)))
+    middle = grab[len(grab) // 2]
+    studio.drag(middle, (70, 0))
+    studio.run('mousemove', '700', '400')
+    return studio.changed_picture(before, 'after moving the slider')
+
+
+def check_camera(studio, before):
+    studio.drag((700, 400), (120, 60))
+    studio.changed_picture(before, 'after turning the camera')
+    studio.keys('ctrl+z')
+    wait_for('one undo to take the whole turn back',
+             lambda: studio.settled_picture() == before)
+
+
+def check_saving(studio):
+    studio.keys('ctrl+shift+s')
+    time.sleep(0.5)  # the name's field takes the keyboard
+    studio.type('tests/dented ball')
+    studio.keys('Return')
+    file = studio.home / 'data' / 'zeroset' / 'presets' / 'tests' / 'dented ball.json'
+    wait_for(f'the file {file}', file.exists)
+    preset = json.loads(file.read_text())
+    formula = preset['formula']
+    text = formula if isinstance(formula, str) else '\n'.join(formula)
+    expect(text == FORMULA, f'the saved formula is {text!r}')
+    value = preset.get('parameters', {}).get('a')
+    expect(value is not None and 0.4 < value < 0.9, f'the saved parameter is {value}')
+    wait_for('a title without the mark', lambda: '*' not in studio.title())
+
+
+def check_screenshot(studio):
+    studio.keys('F12')
+    folder = studio.home / 'data' / 'zeroset' / 'screenshots'
+    file = wait_for('a screenshot', lambda: next(iter(folder.glob('*.png')), None))
+    facts = subprocess.run(['identify', '-format', '%w %h %k', str(file)], check=True,
+                           stdout=subprocess.PIPE, text=True).stdout.split()
+    width, height, colours = map(int, facts)
+    expect((width, height) == (1920, 1080), f'the screenshot is {width} x {height}')
+    expect(colours > 50, f'the screenshot has only {colours} colours')
+
+
+def check_end(studio):
+    studio.keys('ctrl+q')
+    wait_for('the studio to end', lambda: studio.process.poll() is not None)
+    expect(studio.process.returncode == 0, f'status {studio.process.returncode} at the end')
+    left = studio.home / 'state' / 'zeroset' / 'autosave.json'
+    expect(not left.exists(), 'an automatic copy is left after an orderly end')
+
+
+def check_recovery(program, presets, home, display):
+    """After a crash, unsaved work is there again."""
+    studio = Studio(program, presets, home, display)
+    try:
+        wait_for('a first picture', lambda: len(studio.look().colours(PICTURE)) > 50)
+        studio.keys('ctrl+l')
+        studio.keys('ctrl+a')
+        studio.type('x^2 + y^2 = 0.77')
+        autosave = home / 'state' / 'zeroset' / 'autosave.json'
+        wait_for('the automatic copy', lambda: autosave.exists() and '0.77' in autosave.read_text())
+    finally:
+        studio.close()
+    studio = Studio(program, presets, home, display)
+    try:
+        wait_for('a first picture', lambda: len(studio.look().colours(PICTURE)) > 50)
+        studio.keys('Return')
+        wait_for('the recovered work', lambda: studio.title() == 'untitled* - Zeroset')
+        studio.keys('ctrl+shift+s')
+        time.sleep(0.5)
+        studio.type('recovered')
+        studio.keys('Return')
+        file = home / 'data' / 'zeroset' / 'presets' / 'recovered.json'
+        wait_for(f'the file {file}', file.exists)
+        expect('0.77' in file.read_text(), 'the recovered work is not what was lost')
+    finally:
+        studio.close()
+
+
+def check_without_display(program, home):
+    environment = {key: value for key, value in os.environ.items()
+                   if key not in ('DISPLAY', 'WAYLAND_DISPLAY')}
+    done = subprocess.run([program, 'studio'], env=dict(environment, HOME=str(home)), text=True,
+                          stderr=subprocess.PIPE, timeout=PATIENCE)
+    expect(done.returncode == 1, f'status {done.returncode} without a display')
+    expect('zeroset render' in done.stderr, f'without a display it says only: {done.stderr}')
+
+
+def check_all(program, presets, home, display):
+    studio = Studio(program, presets, home, display)
+    try:
+        typed = check_typing(studio)
+        check_broken_text(studio, typed)
+        moved = check_slider(studio, typed)
+        check_camera(studio, moved)
+        check_saving(studio)
+        check_screenshot(studio)
+        check_end(studio)
+    except Failure:
+        last = pathlib.Path('studio_window_test.png').absolute()
+        subprocess.run(['import', '-window', 'root', str(last)], env=studio.environment)
+        studio.log.flush()
+        print(f'the last look at the display: {last}')
+        print('what the studio said:', (home / 'log.txt').read_text())
+        raise
+    finally:
+        studio.close()
+    check_recovery(program, presets, home, display)
+
+
+def main():
+    program, presets = sys.argv[1:3]
+    display = Display()
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            home = pathlib.Path(folder)
+            check_without_display(program, home)
+            check_all(program, presets, home, display.name)
+    except Failure as failure:
+        print('FAILED:', failure)
+        return 1
+    finally:
+        display.close()
+    print('ok')
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
