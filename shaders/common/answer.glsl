@@ -6,7 +6,7 @@ struct Answer {
     real rate;      // its derivative along the ray
     bool sheet;     // whether the leaf is a sheet
     bool turned;    // whether f grows towards the inside: in a complement, behind a sheet
-    int object;     // the leaf that gave this answer
+    int object;     // the leaf that gave this answer; -1 where there is no surface of it
 };
 
 // How many leaves were undefined in the latest evaluation of the field.
@@ -29,6 +29,12 @@ Answer answer_intersection(Answer a, Answer b) {
     if (b.distance > a.distance) a = b;
     a.free = free;
     return a;
+}
+
+// A sheet inside of a solid: the solid's wall is no surface.
+Answer answer_clip(Answer sheet, Answer solid) {
+    solid.object = -1;
+    return answer_intersection(sheet, solid);
 }
 
 Answer answer_complement(Answer a) {

@@ -1,11 +1,12 @@
-// The unit normal of an object's surface at p, on the side where the ray came from. Where the gradient
-// vanishes or is undefined, that a little nearer to the eye stands in.
+// The unit normal of an object's surface at p, on the side where the ray came from. It is taken a little
+// before the surface, where the gradient of a double root does not vanish yet; where it vanishes or is
+// undefined, a little behind, then farther off.
 real3 surface_normal(int object, bool turned, real3 p, real3 d, real footprint) {
-    real back = 0.0;
-    for (int i = 0; i < min(4, int(frame.march.x)); ++i) {
-        real3 g = object_gradient(object, p - back * d, footprint);
+    real offset = -10.0 * zs_relative_step * max(distance(frame.eye.xyz, p), 1e-3);
+    for (int i = 0; i < min(6, int(frame.march.x) + 3); ++i) {
+        real3 g = object_gradient(object, p + offset * d, footprint);
         real most = max(abs(g.x), max(abs(g.y), abs(g.z)));
-        if (most > 0.0 && !isinf(most)) {
+        if (most > 0.0 && !isinf(most) && !isnan(g.x + g.y + g.z)) {
             real3 n = normalize(g / most);
             if (turned) n = -n;
             real away = dot(n, d);
@@ -13,7 +14,7 @@ real3 surface_normal(int object, bool turned, real3 p, real3 d, real footprint) 
             // At a grazing hit rounding may turn it away a little: then it is across the ray.
             return away < 0.1 ? normalize(n - away * d) : -n;
         }
-        back = max(4.0 * back, footprint);
+        offset = offset < 0.0 ? -offset : -4.0 * offset;
     }
     return -d;
 }

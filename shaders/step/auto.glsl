@@ -1,9 +1,9 @@
 // The certified step of a smooth formula: by Taylor along the ray |f|(t + s) >= v + v' s - M s^2 / 2
 // with M a bound of the second derivative, and by the Lipschitz constant v - L s; the longer of the
 // two. Where neither is good, half of the first-order distance (heuristic).
-//   v = |f|, slope = d|f|/dt along the ray, norm = |grad f|
+//   v = |f|, slope = d|f|/dt along the ray, first = |f| / |grad f|
 //   bounds = 1 / L (0 if unbounded), M (negative if unbounded), whether the leaf is stiff
-real formula_step(real v, real slope, real norm, real3 bounds) {
+real formula_step(real v, real slope, real first, real3 bounds) {
     real s = v * bounds.x;
     if (bounds.y >= 0.0) {
         real root = sqrt(slope * slope + 2.0 * bounds.y * v);
@@ -13,7 +13,7 @@ real formula_step(real v, real slope, real norm, real3 bounds) {
         s = max(s, ahead);
     }
     if (bounds.z > 0.0) {
-        real guess = min(0.5 * v / norm, blind_step());
+        real guess = min(0.5 * first, blind_step());
         if (guess > s) {
             s = guess;
             zs_guess = true;

@@ -44,6 +44,7 @@ bool bracket_is_small(Bracket b) {
 // |f| grows towards the change from both sides; at a jump the first-order distance stays far larger
 // than the bracket. Heuristic, as it must be in floating point. For a solid every change is a wall.
 bool bracket_is_surface(Bracket b) {
+    if (b.inside.object < 0) return false;
     if (!b.inside.sheet) return true;
     real fa = b.outside.value, fb = b.inside.value;
     if (isinf(fa) || isinf(fb)) return false;

@@ -35,12 +35,11 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             }
             field_accept();
             ++result.steps;
-            real footprint = pixel_footprint(t);
-            real epsilon = max(frame.march.z * footprint, 2.0 * zs_relative_step * max(t, 1e-3));
+            real epsilon = march_epsilon(t);
             before = t;
             // Near a pole the estimate is small as well, but there |f| grows.
-            if (a.free < epsilon && a.distance < max(0.5 * footprint, epsilon) &&
-                a.value * a.rate <= 0.0) {
+            if (a.free < epsilon && a.distance < epsilon && a.value * a.rate <= 0.0 &&
+                a.object >= 0) {
                 event = zs_near;
                 break;
             }

@@ -10,6 +10,11 @@ const int zs_near = 3;     // closer than a pixel
 const int zs_entered = 4;  // a blind step has led into a domain
 const int zs_passing = 5;  // what was crossed is no surface: to its other side
 
+// A hit is closer than this; no step is shorter.
+real march_epsilon(real t) {
+    return max(frame.march.z * pixel_footprint(t), 2.0 * zs_relative_step * max(t, 1e-3));
+}
+
 struct Settled {
     bool surface;   // whether there is a surface at t; otherwise the march goes on from t
     real t;
@@ -29,7 +34,8 @@ Settled settle(real3 o, real3 d, int event, real lo, real hi, int undefined_befo
         if (at_start) return Settled(true, t, a);
         if (event == zs_passing) {
             field_accept();
-            return Settled(false, t, a);
+            // Some way off, since close to a pole everything looks near.
+            return Settled(false, t + march_epsilon(t), a);
         }
         if (event == zs_entered) {
             if (zs_undefined < undefined_before) {
@@ -59,16 +65,14 @@ Settled settle(real3 o, real3 d, int event, real lo, real hi, int undefined_befo
             }
             continue;
         }
-        bool done = false;
-        real asked = t;
-        if (touching) {
-            done = touch_add(touch, a);
-        } else {
+        if (!touching) {
             touch = touch_at(t, a);
             touching = true;
+        } else if (touch_add(touch, a)) {
+            if (touch_is_surface(touch)) return Settled(true, touch.t, touch.answer);
+            return Settled(false, lo + max(touch.step, march_epsilon(lo)), touch.answer);
         }
-        if (done) return Settled(touch_is_surface(touch), touch_is_surface(touch) ? touch.t : asked, touch.answer);
-        t = touch.next;
+        t = touch.t + touch.step;
     }
     return Settled(event == zs_near, t, a);
 }

@@ -1,35 +1,48 @@
-// Brings a point that is closer than a pixel to its surface down to float accuracy, by secant steps
-// on the estimated distance, which is linear near a simple and near a double root.
+// Brings a point that is closer than a fraction of a pixel to its surface down to float accuracy, by
+// secant steps on the estimated distance, which is linear near a simple and near a double root.
 struct Touch {
-    real t;         // the best point so far
-    Answer answer;  // there
-    real next;      // where to look next
-    real farthest;
-    int gains;      // how often the distance has become smaller
-    bool falling;   // whether |f| became smaller where the distance did not
+    real t;               // the best point so far
+    Answer answer;        // there
+    real step;            // how far ahead to look next
+    real first_distance;  // at the first point
+    real first_value;     // |f| there
+    int gains;            // how often the distance has become smaller
+    int failures;         // how often it has not
+    bool pole;            // whether |f| and the distance went different ways
 };
 
+real touch_least(real t) { return zs_relative_step * max(t, 1e-3); }
+
 Touch touch_at(real t, Answer a) {
-    real least = 4.0 * zs_relative_step * max(t, 1e-3);
-    return Touch(t, a, t + max(max(a.free, 0.5 * a.distance), least),
-                 t + 4.0 * pixel_footprint(t), 0, false);
+    real step = max(max(a.free, 0.5 * a.distance), 4.0 * touch_least(t));
+    return Touch(t, a, step, a.distance, abs(a.value), 0, 0, false);
 }
 
-// Takes the answer at the point asked for. True if that ends the search.
+// Takes the answer one step ahead. True if that ends the search.
 bool touch_add(inout Touch touch, Answer a) {
     real gain = touch.answer.distance - a.distance;
-    if (!(gain > 0.0)) {
-        touch.falling = abs(a.value) < abs(touch.answer.value);
+    bool falls = abs(a.value) < abs(touch.answer.value);
+    // Near a pole the distance shrinks while |f| grows.
+    if (touch.gains + touch.failures == 0 && (gain > 0.0) != falls) {
+        touch.pole = true;
         return true;
     }
-    if (++touch.gains >= 12) return true;
-    real ahead = a.distance * (touch.next - touch.t) / gain;
-    touch.t = touch.next;
+    if (!(gain > 0.0)) {
+        touch.step *= 0.25;
+        return ++touch.failures > 4 || touch.step < touch_least(touch.t);
+    }
+    real ahead = a.distance * touch.step / gain;
+    touch.t += touch.step;
     touch.answer = a;
-    touch.next = min(touch.t + ahead, touch.farthest);
-    return ahead <= zs_relative_step * max(touch.t, 1e-3) || touch.next <= touch.t;
+    touch.step = min(ahead, 256.0 * pixel_footprint(touch.t));
+    return ++touch.gains >= 16 || ahead <= touch_least(touch.t);
 }
 
-// Whether the search has ended on a surface. Behind a pole the estimate is small as well, but grows
-// while |f| falls.
-bool touch_is_surface(Touch touch) { return touch.gains > 0 || !touch.falling; }
+// Whether the search has ended on a surface. At the edge of a domain the gradient may be infinite and
+// the estimate vanish where f does not.
+bool touch_is_surface(Touch touch) {
+    if (touch.first_distance <= 64.0 * touch_least(touch.t)) return true;
+    bool edge = touch.answer.distance < 0.1 * touch.first_distance &&
+                abs(touch.answer.value) > 0.5 * touch.first_value;
+    return !touch.pole && !edge;
+}

@@ -222,6 +222,17 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
 }
 
 bool apply(const RenderOptions& options, Input& input) {
+    const render::View view = options.view();
+    // Sums as 64 bits: a region may start or reach anywhere.
+    if (view.x < 0 || view.y < 0 || view.region_width < 1 || view.region_height < 1 ||
+        static_cast<long long>(view.x) + view.region_width > view.width ||
+        static_cast<long long>(view.y) + view.region_height > view.height) {
+        fmt::print(stderr,
+                   "zeroset: error: --region: {},{},{},{} is not inside of the picture of {}x{} "
+                   "pixels; it is X,Y,W,H from the left and the top\n",
+                   view.x, view.y, view.region_width, view.region_height, view.width, view.height);
+        return false;
+    }
     scene::Document& d = input.document;
     for (const auto& [name, value] : options.parameters) {
         const auto& known = input.formula.field.parameters;

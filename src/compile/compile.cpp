@@ -51,20 +51,20 @@ float rounded_down(double value) { return std::nextafter(static_cast<float>(valu
 float rounded_up(double value) { return std::nextafter(static_cast<float>(value), INFINITY); }
 
 float number(const FieldValue& value, Bounds& bounds, double expression) {
+    if (value.what == FieldValue::What::expression) return static_cast<float>(expression);
+    const analysis::LeafBounds& leaf = bounds.of(value.leaf);
     switch (value.what) {
         case FieldValue::What::expression:
-            return static_cast<float>(expression);
-        case FieldValue::What::inverse_lipschitz: {
-            const double lipschitz = bounds.of(value.leaf).lipschitz;
-            if (lipschitz == 0) return 1e30F;  // constant: no root anywhere
-            return std::isfinite(lipschitz) ? rounded_down(1 / lipschitz) : 0.0F;
-        }
-        case FieldValue::What::second_derivative: {
-            const double second = bounds.of(value.leaf).second_derivative;
-            return second < 1e30 ? rounded_up(second) : -1.0F;
-        }
+            break;
+        case FieldValue::What::inverse_lipschitz:
+            // Across a jump or the edge of a domain no bound of derivatives says anything.
+            if (leaf.partial || !std::isfinite(leaf.lipschitz)) return 0;
+            return leaf.lipschitz > 0 ? rounded_down(1 / leaf.lipschitz) : 1e30F;
+        case FieldValue::What::second_derivative:
+            if (leaf.partial || !(leaf.second_derivative < 1e30)) return -1;
+            return rounded_up(leaf.second_derivative);
         case FieldValue::What::first_order:
-            return bounds.of(value.leaf).stiff ? 1.0F : 0.0F;
+            return leaf.stiff || leaf.partial ? 1 : 0;
     }
     return 0;
 }

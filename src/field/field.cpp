@@ -11,6 +11,9 @@ namespace {
 
 using graph::NodeId;
 
+/// Narrower than any pixel, and still no denormal number in single precision.
+constexpr double least_width = 1e-30;
+
 template <class... Functions>
 struct Overloaded : Functions... {
     using Functions::operator()...;
@@ -86,6 +89,12 @@ std::optional<Formula> composed(Field& field, FieldId id) {
                       node);
 }
 
+/// A blending width that is safe to divide by: a slider may go down to 0.
+NodeId positive_width(Field& field, NodeId k) {
+    if (field.graph.is_constant(k)) return k;
+    return field.graph.apply(graph::Op::max, k, field.graph.constant(least_width));
+}
+
 }  // namespace
 
 Kind kind_of(const Field& field, FieldId id) {
@@ -132,6 +141,7 @@ FieldId map_domain(Field& field, FieldId id, const std::array<NodeId, 3>& point,
 }
 
 FieldId smooth_union(Field& field, FieldId a, FieldId b, NodeId k) {
+    k = positive_width(field, k);
     const auto left = composed(field, a);
     const auto right = left ? composed(field, b) : std::nullopt;
     if (!right) return field.add(SmoothUnion{a, b, k});

@@ -11,13 +11,16 @@ namespace field {
 /// The quaternion Julia set of q^2 + c. Arguments: the four components of c, the number of
 /// iterations, the fourth component of the start. The estimate is 1/2 |q| log|q| / |q'|
 /// (methods: K 107), with the potential of the drawn set's own boundary |q_N| = 4 taken off, so
-/// that it goes to 0 there and not at the limit set inside. Heuristic: within a factor of the
-/// Koebe-type bounds for quadratic sets that are connected.
+/// that it goes to 0 there and not at the limit set inside. Heuristic: at most 0.8 of the distance
+/// in all that has been sampled (docs/numerics.md).
 FieldId julia(Field& field, std::span<const graph::NodeId> arguments);
 
 /// The Mandelbulb (White and Nylander): z -> z^n + p in spherical coordinates about the z axis.
 /// Arguments: power, iterations. A constant whole power from 2 to 32 is computed by complex
-/// multiplications, anything else by trigonometry. The estimate is of the same form as julia's.
+/// multiplications, anything else by trigonometry. The estimate is of the same form as julia's,
+/// with a derivative that is enlarged near the axis: there the power stretches more around it than
+/// along it. Heuristic: at most 0.8 of the distance in all that has been sampled
+/// (docs/numerics.md).
 FieldId mandelbulb(Field& field, std::span<const graph::NodeId> arguments);
 
 /// The Menger sponge of finitely many levels: at each level the infinite cross-shaped holes are cut

@@ -47,7 +47,7 @@ NodeId quotient(Graph& graph, NodeId id, NodeId a, NodeId b) {
 
 NodeId simplify(Graph& graph, NodeId id) {
     const Node node = graph[id];
-    const auto [a, b, c, d] = node.arguments;
+    const NodeId a = node.arguments[0], b = node.arguments[1];
     if (node.op == Op::add) return sum(graph, id, a, b);
     if (node.op == Op::sub) return difference(graph, id, a, b);
     if (node.op == Op::mul) return product(graph, id, a, b);
@@ -57,7 +57,6 @@ NodeId simplify(Graph& graph, NodeId id) {
         return graph.apply(Op::abs, argument(graph, a, 0));
     }
     if ((node.op == Op::min || node.op == Op::max) && a == b) return a;
-    if (node.op == Op::select_less && c == d) return c;
     return id;
 }
 

@@ -189,7 +189,11 @@ private:
             right = fmt::format("answer_union({}, {})", a, b);
         } else if (const auto* n = std::get_if<field::Intersection>(&field_[id])) {
             const std::string a = child(n->a), b = child(n->b);
-            right = fmt::format("answer_intersection({}, {})", a, b);
+            right = kind_of(field_, n->a) == field::Kind::sheet
+                        ? fmt::format("answer_clip({}, {})", a, b)
+                    : kind_of(field_, n->b) == field::Kind::sheet
+                        ? fmt::format("answer_clip({}, {})", b, a)
+                        : fmt::format("answer_intersection({}, {})", a, b);
         } else if (const auto* c = std::get_if<field::Complement>(&field_[id])) {
             right = fmt::format("answer_complement({})", child(c->a));
         } else if (const auto* s = std::get_if<field::SmoothUnion>(&field_[id])) {

@@ -8,7 +8,6 @@
 
 #include "shader/assembly.h"
 #include "shader/field_glsl.h"
-#include "shader/parts.h"
 
 namespace shader {
 namespace {
@@ -104,7 +103,9 @@ ProgramSource program_source(const field::Field& field, const Features& features
     if (features.outputs.picture) add_picture_parts(assembly, features);
     assembly.add_code(outputs_code(features));
     assembly.add_part("output/fragment.glsl");
-    return {parts().at("output/vertex.glsl"), assembly.text(), std::move(generated.values),
+    Assembly vertex;
+    vertex.add_part("output/vertex.glsl");
+    return {vertex.text(), assembly.text(), std::move(generated.values),
             std::move(generated.expressions)};
 }
 

@@ -48,15 +48,15 @@ void LivePicture::want(const WantedPicture& wanted, double now) {
     scheduler_.change(now);
 }
 
-base::Result<bool> LivePicture::work(double budget, double now) {
-    if (!program_ || !wanted_ || failed_) return false;
+base::Result<PictureNews> LivePicture::work(double budget, double now) {
+    if (!program_ || !wanted_ || failed_) return PictureNews::none;
     auto news = draw_for(budget, now);
     failed_ = !news;
     return news;
 }
 
-base::Result<bool> LivePicture::draw_for(double budget, double now) {
-    bool news = false;
+base::Result<PictureNews> LivePicture::draw_for(double budget, double now) {
+    PictureNews news = PictureNews::none;
     const double start = clock_seconds();
     double spent = 0;
     while (spent < budget) {
@@ -69,12 +69,16 @@ base::Result<bool> LivePicture::draw_for(double budget, double now) {
         if (auto status = draw(*step); !status) return status.problems();
         const double after = clock_seconds();
         scheduler_.done(*step, after - before);
-        news = news || step->full() || step->last;
+        if (step->last) {
+            news = PictureNews::whole;
+        } else if (step->full() && news == PictureNews::none) {
+            news = PictureNews::tiles;
+        }
         spent = after - start;
     }
     if (report_is_due(now + spent)) {
         make_report();
-        news = true;
+        news = PictureNews::whole;
     }
     return news;
 }

@@ -42,6 +42,9 @@ struct PictureReport {
     PictureStatistics statistics;
 };
 
+/// What drawing has brought: some tiles of a picture, or a whole one.
+enum class PictureNews { none, tiles, whole };
+
 /// Owns textures and the program: the window's context must be current for every call. The
 /// functions must outlive it.
 class LivePicture {
@@ -53,9 +56,9 @@ public:
     /// Says what is to be drawn. Nothing is drawn again if that is what was drawn.
     void want(const WantedPicture& wanted, double now);
 
-    /// Draws for about so many seconds. True if there is something new to show. After an error
+    /// Draws for about so many seconds, and answers what there is new to show. After an error
     /// nothing is drawn until something else is wanted.
-    base::Result<bool> work(double budget, double now);
+    base::Result<PictureNews> work(double budget, double now);
     /// Seconds until `work` has something to do: 0 for now, infinity for never.
     double wait(double now) const;
 
@@ -65,7 +68,7 @@ public:
     const std::optional<PictureReport>& report() const { return report_; }
 
 private:
-    base::Result<bool> draw_for(double budget, double now);
+    base::Result<PictureNews> draw_for(double budget, double now);
     base::Status prepare(const DrawingStep& step);
     base::Status draw(const DrawingStep& step);
     bool report_is_due(double now) const;

@@ -49,10 +49,8 @@ void show_effects(scene::Settings& settings) {
            {.minimum = 1, .maximum = 128, .initial = initial.shadow, .logarithmic = true},
            "Small is soft, large is hard.");
     ImGui::EndDisabled();
-    check(
-        "Ambient occlusion", settings.ambient_occlusion,
-        "Darkens corners. The switch is kept in the preset; it shows as far as the tracer at hand "
-        "has the effect.");
+    check("Ambient occlusion (not drawn yet)", settings.ambient_occlusion,
+          "Darkens corners. The switch is kept in the preset for the effect to come.");
     check("Ground grid", settings.grid);
     check("Show step count", settings.show_steps,
           "Colours each pixel by the number of steps of its ray instead of shading it.");

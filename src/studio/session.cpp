@@ -19,6 +19,7 @@ namespace studio {
 namespace {
 
 constexpr double drawing_budget = 0.026;
+constexpr double tiles_seconds = 0.08;
 constexpr double longest_wait = 2;
 constexpr double blink_seconds = 0.2;  // of the text cursor
 /// Dear ImGui needs a few frames until everything has found its place.
@@ -148,10 +149,15 @@ void Session::draw_picture() {
         if (problem != picture_problem_) workspace_.error(problem);
         picture_problem_ = problem;
         frames_to_draw_ = std::max(frames_to_draw_, 1);
-    } else if (*news) {
-        picture_problem_.clear();
-        frames_to_draw_ = std::max(frames_to_draw_, 1);
+        return;
     }
+    // Showing each tile at once would take longer than drawing it.
+    const bool worth_showing =
+        *news == PictureNews::whole ||
+        (*news == PictureNews::tiles && glfwGetTime() - last_frame_ > tiles_seconds);
+    if (!worth_showing) return;
+    picture_problem_.clear();
+    frames_to_draw_ = std::max(frames_to_draw_, 1);
 }
 
 void Session::draw_interface() {

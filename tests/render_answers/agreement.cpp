@@ -21,6 +21,7 @@ struct Seen {
     double depth = infinity;
     glm::dvec3 normal{0};  ///< unit, facing the eye; 0 where the eye is inside
     std::size_t crossings = 0;
+    const void* part = nullptr;  ///< of the shape
 };
 
 class Eye {
@@ -55,12 +56,16 @@ public:
         });
     }
 
-    /// True if the normal changes much within the pixel.
+    /// True if two parts of the shape meet in the pixel, with an edge or one in front of the other.
     bool at_edge(int i, int j) const {
         const Seen& seen = at_centre(i, j);
-        return any_around(i, j, [&](const Seen& other) {
-            return glm::dot(other.normal, seen.normal) < 0.95;
-        });
+        return any_around(i, j, [&](const Seen& other) { return other.part != seen.part; });
+    }
+
+    /// True if a depth lies between those that are seen in the pixel.
+    bool is_around(int i, int j, double depth) const {
+        const bool above = any_around(i, j, [=](const Seen& s) { return s.depth >= depth; });
+        return above && any_around(i, j, [=](const Seen& s) { return s.depth <= depth; });
     }
 
     Ray ray(int i, int j) const {
@@ -80,6 +85,7 @@ private:
             if (seen.crossings++ == 0) {
                 const glm::dvec3 n = glm::normalize(crossing.normal);
                 seen.depth = crossing.t;
+                seen.part = crossing.part;
                 seen.normal = glm::dot(n, ray.direction) > 0 ? -n : n;
             }
         }
@@ -125,18 +131,17 @@ void compare_depth(Agreement& agreement, double expected, double actual, int i, 
 }
 
 void compare_normal(Agreement& agreement, const glm::dvec3& expected, const glm::dvec3& actual,
-                    const glm::dvec3& direction, bool at_edge, int i, int j) {
-    const bool sound = std::abs(glm::length(actual) - 1) <= 1e-5 &&
-                       glm::dot(actual, direction) <= 1e-6;
-    double angle = 0;
-    if (!at_edge) angle = glm::length(glm::cross(expected, actual));
-    if (!at_edge && glm::dot(expected, actual) < 0) angle = 2;
+                    const glm::dvec3& direction, int i, int j) {
+    const bool sound =
+        std::abs(glm::length(actual) - 1) <= 1e-5 && glm::dot(actual, direction) <= 1e-6;
+    const double sine = glm::length(glm::cross(expected, actual));
+    const double angle = std::atan2(sine, glm::dot(expected, actual));
     if (!(angle <= agreement.normal_error)) agreement.normal_error = angle;
     if (sound && angle < normal_tolerance) return;
     ++agreement.off_normal;
     note(agreement, i, j,
-         fmt::format("normal {:.4g},{:.4g},{:.4g} instead of {:.4g},{:.4g},{:.4g}", actual.x, actual.y,
-                     actual.z, expected.x, expected.y, expected.z));
+         fmt::format("normal {:.4g},{:.4g},{:.4g} instead of {:.4g},{:.4g},{:.4g}", actual.x,
+                     actual.y, actual.z, expected.x, expected.y, expected.z));
 }
 
 }  // namespace
@@ -149,9 +154,8 @@ std::ostream& operator<<(std::ostream& stream, const Agreement& a) {
     return stream << fmt::format(
                "{} compared, {} missed, {} phantom, {} off in depth (worst {:.3g}), {} off in "
                "normal (worst {:.3g} rad), {} unresolved{}",
-               a.compared, a.missed, a.phantom, a.off_depth, a.depth_error,
-               a.off_normal, a.normal_error, a.unresolved,
-               a.examples);
+               a.compared, a.missed, a.phantom, a.off_depth, a.depth_error, a.off_normal,
+               a.normal_error, a.unresolved, a.examples);
 }
 
 Agreement compare(const Answer& answer) { return compare(answer, render(answer.query)); }
@@ -181,10 +185,11 @@ Agreement compare(const Answer& answer, const render::Still& still) {
                 continue;
             }
             if (!hit) continue;
+            if (eye.at_edge(i, j) && eye.is_around(i, j, depth(still, i, j))) continue;
             compare_depth(agreement, seen.depth, depth(still, i, j), i, j);
             if (seen.depth > 0) {
                 compare_normal(agreement, seen.normal, normal(still, i, j), eye.ray(i, j).direction,
-                               eye.at_edge(i, j), i, j);
+                               i, j);
             }
         }
     }

@@ -20,17 +20,17 @@ struct Answer {
 
 std::ostream& operator<<(std::ostream& stream, const Answer& answer);
 
-/// Pixels, except for those that a silhouette passes through: of the shape, of a part of it in front of
-/// another, or hidden.
+/// Pixels, except for those that a silhouette passes through: of the shape, of a part of it in
+/// front of another, or hidden. Where two parts meet in a pixel any depth between theirs is right.
 struct Agreement {
     int compared = 0;
-    int missed = 0;       ///< there is a surface, and none was found
-    int phantom = 0;      ///< there is none, and one was found
-    int off_depth = 0;    ///< the relative error of the depth is above 1e-5
-    int off_normal = 0;   ///< not of unit length, not facing the eye, or 2e-3 radians or more away
-    int unresolved = 0;   ///< the tracer gave up
+    int missed = 0;      ///< there is a surface, and none was found
+    int phantom = 0;     ///< there is none, and one was found
+    int off_depth = 0;   ///< the relative error of the depth is above 1e-5
+    int off_normal = 0;  ///< not of unit length, not facing the eye, or 2e-3 radians or more away
+    int unresolved = 0;  ///< the tracer gave up
     double depth_error = 0;   ///< the largest relative one
-    double normal_error = 0;  ///< the largest angle in radians, away from edges
+    double normal_error = 0;  ///< the largest angle in radians
     std::string examples;     ///< the first few wrong pixels, in words
 
     int wrong() const { return missed + phantom + off_depth + off_normal + unresolved; }

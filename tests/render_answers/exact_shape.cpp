@@ -32,14 +32,14 @@ glm::dvec3 gradient(const Function& function, const glm::dvec3& point) {
 std::vector<Crossing> crossings(const Function& function, const Ray& ray) {
     std::vector<Crossing> list;
     for (const double t : sign_changes(along(function, ray), -far_away, far_away)) {
-        list.push_back({t, gradient(function, ray.at(t))});
+        list.push_back({t, gradient(function, ray.at(t)), &function});
     }
     return list;
 }
 
 bool is_inside(const std::vector<Span>& spans, double t) {
-    return std::ranges::any_of(
-        spans, [t](const Span& s) { return s.enter.t <= t && t <= s.leave.t; });
+    return std::ranges::any_of(spans,
+                               [t](const Span& s) { return s.enter.t <= t && t <= s.leave.t; });
 }
 
 /// The stretches where both or one of two lists are inside.
@@ -85,12 +85,15 @@ Solid below(Function function) {
 }
 
 Solid operator&(Solid a, Solid b) {
-    return [a = std::move(a), b = std::move(b)](const Ray& ray) { return merge(a(ray), b(ray), true); };
+    return [a = std::move(a), b = std::move(b)](const Ray& ray) {
+        return merge(a(ray), b(ray), true);
+    };
 }
 
 Solid operator|(Solid a, Solid b) {
-    return
-        [a = std::move(a), b = std::move(b)](const Ray& ray) { return merge(a(ray), b(ray), false); };
+    return [a = std::move(a), b = std::move(b)](const Ray& ray) {
+        return merge(a(ray), b(ray), false);
+    };
 }
 
 Solid operator!(Solid a) {
@@ -163,9 +166,12 @@ Solid capsule(double radius, double half_height) {
 
 Solid inside(const scene::Bounds& bounds) {
     switch (bounds.shape) {
-        case scene::Bounds::Shape::sphere: return ball(bounds.half.x, bounds.centre);
-        case scene::Bounds::Shape::box: return cuboid(bounds.half, bounds.centre);
-        case scene::Bounds::Shape::none: break;
+        case scene::Bounds::Shape::sphere:
+            return ball(bounds.half.x, bounds.centre);
+        case scene::Bounds::Shape::box:
+            return cuboid(bounds.half, bounds.centre);
+        case scene::Bounds::Shape::none:
+            break;
     }
     return !nothing();
 }

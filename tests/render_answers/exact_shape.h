@@ -19,6 +19,7 @@ using Function =
 struct Crossing {
     double t = 0;
     glm::dvec3 normal{0};
+    const void* part = nullptr;  ///< tells the functions of one shape apart
 };
 
 /// A stretch of a ray that is inside of a solid.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Answers that the renderer does not give yet. The table may only shrink: a case that got worse, and
-// one that passes, both fail.
+// Answers that the renderer does not give yet. The table may only shrink: a case that got worse,
+// and one that passes, both fail.
 #pragma once
 
 #include <string_view>

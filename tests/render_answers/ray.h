@@ -16,8 +16,8 @@ struct Ray {
     glm::dvec3 at(double t) const { return origin + t * direction; }
 };
 
-/// The ray through a point of the picture, from its left and top in pixels: the centre of pixel (i, j)
-/// is (i + 0.5, j + 0.5).
+/// The ray through a point of the picture, from its left and top in pixels: the centre of pixel (i,
+/// j) is (i + 0.5, j + 0.5).
 Ray ray_through(const scene::Camera& camera, int width, int height, double x, double y);
 
 }  // namespace render_answers

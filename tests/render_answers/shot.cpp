@@ -15,9 +15,7 @@ scene::Bounds box_bounds(glm::dvec3 half, glm::dvec3 centre) {
     return {scene::Bounds::Shape::box, centre, half};
 }
 
-scene::Bounds no_bounds() {
-    return {scene::Bounds::Shape::none, glm::dvec3(0), glm::dvec3(2)};
-}
+scene::Bounds no_bounds() { return {scene::Bounds::Shape::none, glm::dvec3(0), glm::dvec3(2)}; }
 
 scene::Camera camera(glm::dvec3 eye, glm::dvec3 target, double fov, glm::dvec3 up) {
     return {eye, target, up, fov};

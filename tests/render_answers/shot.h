@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A formula rendered as the command line renders it, with everything that is known about its pixels.
+// A formula rendered as the command line renders it, with everything that is known about its
+// pixels.
 #pragma once
 
 #include <string>
@@ -30,7 +31,8 @@ scene::Camera camera(glm::dvec3 eye, glm::dvec3 target = glm::dvec3(0), double f
 /// The document of a query.
 scene::Document document_of(const Query& query);
 
-/// What the software driver made of a document; fails the test and returns an empty still on errors.
+/// What the software driver made of a document; fails the test and returns an empty still on
+/// errors.
 render::Still render(const scene::Document& document, const render::View& view,
                      const shader::Outputs& outputs = {
                          .picture = false, .geometry = true, .normal = true});

@@ -46,7 +46,7 @@ class Display:
         reader, writer = os.pipe()
         self.process = subprocess.Popen(
             ['Xvfb', '-displayfd', str(writer), '-screen', '0', f'{WIDTH}x{HEIGHT}x24',
-             '-nolisten', 'tcp'],
+             '-nolisten', 'tcp', '-noreset'],
             pass_fds=[writer], stderr=subprocess.DEVNULL)
         os.close(writer)
         with os.fdopen(reader) as numbers:
@@ -101,8 +101,24 @@ class Studio:
         self.log = open(home / 'log.txt', 'w+')
         self.process = subprocess.Popen([program, 'studio'], env=self.environment,
                                         stdout=self.log, stderr=subprocess.STDOUT)
-        self.window = wait_for('the window', self.find_window)
-        self.run('windowfocus', '--sync', self.window)
+
+    def __enter__(self):
+        try:
+            self.window = wait_for('the window', self.find_window)
+            self.run('windowfocus', '--sync', self.window)
+        except Failure as failure:
+            self.__exit__(Failure, failure, None)
+            raise
+        return self
+
+    def __exit__(self, kind, failure, _):
+        if failure is not None:
+            last = pathlib.Path('studio_window_test.png').absolute()
+            subprocess.run(['import', '-window', 'root', str(last)], env=self.environment)
+            self.log.flush()
+            print('the last look at the display:', last)
+            print('what the studio said:', (self.home / 'log.txt').read_text())
+        self.close()
 
     def find_window(self):
         if self.process.poll() is not None:
@@ -247,23 +263,20 @@ def check_end(studio):
     expect(not left.exists(), 'an automatic copy is left after an orderly end')
 
 
-def check_recovery(program, presets, home, display):
+def check_recovery(open_studio, home):
     """After a crash, unsaved work is there again."""
-    studio = Studio(program, presets, home, display)
-    try:
+    with open_studio() as studio:
         wait_for('a first picture', lambda: len(studio.look().colours(PICTURE)) > 50)
         studio.keys('ctrl+l')
         studio.keys('ctrl+a')
         studio.type('x^2 + y^2 = 0.77')
         autosave = home / 'state' / 'zeroset' / 'autosave.json'
         wait_for('the automatic copy', lambda: autosave.exists() and '0.77' in autosave.read_text())
-    finally:
-        studio.close()
-    studio = Studio(program, presets, home, display)
-    try:
+        # Leaving the block kills it.
+    with open_studio() as studio:
         wait_for('a first picture', lambda: len(studio.look().colours(PICTURE)) > 50)
         studio.keys('Return')
-        wait_for('the recovered work', lambda: studio.title() == 'untitled* - Zeroset')
+        wait_for('the recovered work', lambda: '* - Zeroset' in studio.title())
         studio.keys('ctrl+shift+s')
         time.sleep(0.5)
         studio.type('recovered')
@@ -271,8 +284,6 @@ def check_recovery(program, presets, home, display):
         file = home / 'data' / 'zeroset' / 'presets' / 'recovered.json'
         wait_for(f'the file {file}', file.exists)
         expect('0.77' in file.read_text(), 'the recovered work is not what was lost')
-    finally:
-        studio.close()
 
 
 def check_without_display(program, home):
@@ -284,9 +295,8 @@ def check_without_display(program, home):
     expect('zeroset render' in done.stderr, f'without a display it says only: {done.stderr}')
 
 
-def check_all(program, presets, home, display):
-    studio = Studio(program, presets, home, display)
-    try:
+def check_all(open_studio, home):
+    with open_studio() as studio:
         typed = check_typing(studio)
         check_broken_text(studio, typed)
         moved = check_slider(studio, typed)
@@ -294,16 +304,7 @@ def check_all(program, presets, home, display):
         check_saving(studio)
         check_screenshot(studio)
         check_end(studio)
-    except Failure:
-        last = pathlib.Path('studio_window_test.png').absolute()
-        subprocess.run(['import', '-window', 'root', str(last)], env=studio.environment)
-        studio.log.flush()
-        print(f'the last look at the display: {last}')
-        print('what the studio said:', (home / 'log.txt').read_text())
-        raise
-    finally:
-        studio.close()
-    check_recovery(program, presets, home, display)
+    check_recovery(open_studio, home)
 
 
 def main():
@@ -313,7 +314,7 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             home = pathlib.Path(folder)
             check_without_display(program, home)
-            check_all(program, presets, home, display.name)
+            check_all(lambda: Studio(program, presets, home, display.name), home)
     except Failure as failure:
         print('FAILED:', failure)
         return 1

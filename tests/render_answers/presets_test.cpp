@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Every preset shows something and is traced to the end; smooth ones agree with brute force.
+#include <filesystem>
+#include <iostream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "base/file.h"
+#include "render_answers/dense_sampling.h"
+#include "render_answers/known_failures.h"
+#include "render_answers/shot.h"
+#include "scene/preset.h"
+
+namespace render_answers {
+namespace {
+
+const std::filesystem::path folder = std::filesystem::path(ZEROSET_SOURCE_DIR) / "presets";
+
+scene::Document read(const std::string& path) {
+    const auto text = base::read_text(folder / path, scene::largest_preset);
+    if (!text) return {};
+    auto preset = scene::read_preset(*text);
+    EXPECT_TRUE(preset) << path;
+    return preset ? std::move(preset->document) : scene::Document{};
+}
+
+std::vector<std::string> all_presets() {
+    std::vector<std::string> list;
+    for (const auto& path : scene::list_presets(folder)) list.push_back(path.generic_string());
+    return list;
+}
+
+std::string name_of(const testing::TestParamInfo<std::string>& info) {
+    std::string name;
+    for (const char c : info.param) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    return name;
+}
+
+class EveryPreset : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryPreset, shows_something_and_is_resolved) {
+    const int width = 160;
+    const int height = 120;
+    const render::Still still = render(read(GetParam()), render::whole(width, height));
+    const int unresolved = count(still, shader::Status::unresolved);
+    EXPECT_GT(count(still, shader::Status::hit), width * height / 200);
+    const int known = known_wrong_pixels(GetParam());
+    EXPECT_LE(unresolved, std::max(known, width * height / 200));
+    if (known > 0) {
+        EXPECT_GT(unresolved, width * height / 200) << "remove it from known_failures.cpp";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, EveryPreset, testing::ValuesIn(all_presets()), name_of);
+
+class SmoothPreset : public testing::TestWithParam<std::string> {};
+
+TEST_P(SmoothPreset, agrees_with_dense_sampling) {
+    const SampledAgreement a = compare_with_samples(read(GetParam()), 96, 72, 4000);
+    std::cout << fmt::format(
+        "{}: {} compared, {} missed, {} phantom, {} moved, {} unresolved, {} hit\n", GetParam(),
+        a.compared, a.missed, a.phantom, a.moved, a.unresolved, a.hit);
+    EXPECT_GT(a.compared, 1000);
+    // Sampling misses pairs of close roots; singular points are flat: two pixels are left for them.
+    const int allowed = std::max(2, known_wrong_pixels(GetParam() + " (sampled)"));
+    EXPECT_LE(a.missed + a.phantom + a.moved, allowed);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shipped, SmoothPreset,
+    testing::Values("algebraic/barth_sextic.json", "algebraic/clebsch_cubic.json",
+                    "algebraic/kummer_quartic.json", "algebraic/tanglecube.json",
+                    "algebraic/chmutov_sextic.json", "algebraic/endrass_octic.json",
+                    "algebraic/togliatti_quintic.json", "algebraic/cayley_cubic.json",
+                    "periodic/gyroid.json", "periodic/neovius.json", "surfaces/heart.json",
+                    "surfaces/dupin_cyclide.json", "surfaces/klein_bottle.json"),
+    name_of);
+
+}  // namespace
+}  // namespace render_answers

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The functions that are generated for a field.
+#include "shader/field_glsl.h"
+
+#include <gtest/gtest.h>
+
+#include "shader/programs.h"
+
+namespace shader {
+namespace {
+
+TEST(FieldGlsl, says_whether_a_leaf_has_edges) {
+    EXPECT_TRUE(has(field_glsl(field_of("x = 1"), false).code, "zs_has_edges = false;"));
+    EXPECT_TRUE(has(field_glsl(field_of("sqrt(x) = 1"), false).code, "zs_has_edges = true;"));
+    EXPECT_TRUE(
+        has(field_glsl(field_of("sphere(1) | (log(x) <= y)"), false).code, "zs_has_edges = true;"));
+}
+
+TEST(FieldGlsl, numbers_leaves_from_left_to_right) {
+    const std::string code =
+        field_glsl(field_of("sphere(1) | (box(1) \\ torus(1, 0.2))"), false).code;
+    for (const char* leaf : {"leaf_0(", "leaf_1(", "leaf_2("}) EXPECT_TRUE(has(code, leaf)) << leaf;
+    EXPECT_FALSE(has(code, "leaf_3("));
+    EXPECT_LT(code.find("zs_hypot3"), code.find("value_1")) << "the sphere is the first";
+}
+
+TEST(FieldGlsl, asks_for_three_bounds_for_each_leaf_that_is_no_distance) {
+    const auto count = [](const char* text) {
+        return field_glsl(field_of(text), false).values.size();
+    };
+    EXPECT_EQ(count("sphere(1)"), 0U);
+    EXPECT_EQ(count("x*y = z"), 3U);
+    EXPECT_EQ(count("(x*y <= z) | (x <= y^2)"), 6U);
+}
+
+TEST(FieldGlsl, remembers_sides_of_sheets_only) {
+    EXPECT_TRUE(has(field_glsl(field_of("x*y = z"), false).code, "side_0 = now_0"));
+    EXPECT_FALSE(has(field_glsl(field_of("x*y <= z"), false).code, "side_"));
+}
+
+TEST(FieldGlsl, counts_evaluations_only_if_asked_to) {
+    const field::Field f = field_of("x*y = z");
+    EXPECT_TRUE(has(field_glsl(f, true).code, "++zs_evaluations;"));
+    EXPECT_FALSE(has(field_glsl(f, false).code, "zs_evaluations"));
+}
+
+TEST(FieldGlsl, takes_gradients_of_iterations_by_differences) {
+    const FieldGlsl sponge = field_glsl(field_of("menger(2)"), false);
+    EXPECT_TRUE(sponge.has_iterations);
+    EXPECT_TRUE(has(sponge.code, "object_differences(object, p, h)"));
+    const FieldGlsl sphere = field_glsl(field_of("sphere(1)"), false);
+    EXPECT_FALSE(sphere.has_iterations);
+    EXPECT_FALSE(has(sphere.code, "object_differences"));
+}
+
+TEST(FieldGlsl, takes_the_number_of_iterations_from_a_uniform) {
+    EXPECT_TRUE(has(field_glsl(field_of("menger(2)"), false).code,
+                    "int limit = int(field_values[0].x + 0.5);"))
+        << "a constant would be unrolled";
+}
+
+TEST(FieldGlsl, computes_once_what_does_not_change_from_step_to_step) {
+    // The sponge's steps need the point's coordinates, but nothing else of the point.
+    const std::string code = field_glsl(field_of("translate(menger(2), (1, 0, 0))"), false).code;
+    const std::size_t loop = code.find("for (");
+    ASSERT_NE(loop, std::string::npos);
+    EXPECT_LT(code.find("p.x - 1.0"), loop);
+    EXPECT_EQ(code.find("p.x - 1.0", loop), std::string::npos);
+}
+
+}  // namespace
+}  // namespace shader
