@@ -1,12 +1,15 @@
-// How much of a light is seen from p: on the way to it, the smallest of k * distance / travelled
-// (O 6.3.3, K 112), smoothed at both ends. Heuristic: the distance is a first-order estimate.
+// How much of a light is seen from o: on the way to it, the smallest of k * distance / travelled
+// (O 6.3.3, K 112). The nearest approach between two points is guessed from both distances (Aaltonen,
+// "GPU-based clay simulation and ray-tracing tech in Claybook", GDC 2018), which takes the bands away.
+// Heuristic: the distance is a first-order estimate.
 real soft_shadow(real3 o, real3 l, real t0, real t1) {
     real k = frame.march.w;
     real seen = 1.0;
     real t = t0;
     real least = 2e-3 * length(frame.bounds_half.xyz);
-    field_start();
+    real before = zs_far;
     bool rising = false;
+    field_start();
     int steps = min(int(frame.march.x), 128);
     for (int i = 0; i < steps; ++i) {
         Answer a = field(o + t * l, l);
@@ -15,9 +18,13 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
         bool pole = a.sheet && rising && a.value * a.rate < 0.0;
         if (a.free <= 0.0 && !pole) return 0.0;
         rising = a.value * a.rate > 0.0;
-        if (t > 0.0 && !rising && !pole) seen = min(seen, k * a.distance / t);
+        real h = min(a.distance, 1e6);
+        real back = min(h * h / (2.0 * before), h);
+        real nearest = sqrt(h * h - back * back);
+        if (t > back && !rising && !pole) seen = min(seen, k * nearest / (t - back));
         if (seen < 0.01) return 0.0;
-        t += max(min(a.free, max(a.distance, least)), least);
+        before = h;
+        t += max(min(a.free, max(h, least)), least);
         if (t > t1) break;
     }
     return seen * seen * (3.0 - 2.0 * seen);

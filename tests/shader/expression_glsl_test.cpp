@@ -81,7 +81,8 @@ struct Function {
 TEST(ExpressionWriter, writes_one_statement_for_each_node) {
     Function f;
     const Expr shared = f.x * f.y;
-    EXPECT_EQ(f.write(sin(shared) - shared / -2.0),
+    const Expr wave = sin(shared), part = shared / -2.0;
+    EXPECT_EQ(f.write(wave - part),
               "  real n0 = p.x * p.y;\n"
               "  real n1 = zs_sin(n0);\n"
               "  real n2 = n0 / (-2.0);\n"

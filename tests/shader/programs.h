@@ -24,7 +24,7 @@ inline constexpr std::array formulas{
     "param k = 0.3 in [0, 1]\nsmooth_union(sphere(1), translate(box(0.5), (1, k, 0)), k)",
     "smooth_union(menger(3), torus(1, 0.3), 0.2)",
     "param p = 8 in [2, 12]\nmandelbulb(p) | box(0.5)",
-    "scale(julia(), 1.5) \\ plane((0, 0, 1), 0.2)",
+    "scale(julia(), 1.5) \\ plane(0, 0, 1, 0.2)",
     "(x*y = z) & sphere(1.5)",
     "(x^2 + y^2 <= 1) & box(2) \\ cylinder(0.4, 3) | capsule() | cone()",
     "1e-300*x + 1e300*y = 1e-45",
@@ -34,7 +34,7 @@ inline field::Field field_of(std::string_view text) {
     const auto formula = compile::compile_formula(text);
     if (!formula) {
         ADD_FAILURE() << text << ": " << formula.problems()[0].message;
-        return {};
+        return field_of("sphere(1)");
     }
     return formula->field;
 }
