@@ -121,10 +121,9 @@ int render_command(const InputOptions& input_options, const RenderOptions& optio
         return failed;
     }
     Run run{*input, options, **context};
-    const shader::Outputs written{
-        .picture = !outputs.picture.empty() || outputs.stats.empty() || outputs.repeat > 0,
-        .geometry = !outputs.depth.empty() || !outputs.stats.empty(),
-        .normal = !outputs.normal.empty()};
+    const shader::Outputs written{.picture = true,  // also if only timed: a frame is a whole frame
+                                  .geometry = !outputs.depth.empty() || !outputs.stats.empty(),
+                                  .normal = !outputs.normal.empty()};
     const auto still = run.draw(written, outputs.repeat);
     if (!still) {
         report(still.problems());

@@ -110,7 +110,8 @@ base::Result<fs::path> find_preset(const std::string& name) {
     }
     std::string message = fmt::format("there is no preset '{}'", name);
     const std::string meant = near_name(name, near_candidates(name));
-    if (!meant.empty()) message += fmt::format("; did you mean '{}'?", meant);
+    message += meant.empty() ? "; give the path of a .json file, or a name such as 'barth_sextic'"
+                             : fmt::format("; did you mean '{}'?", meant);
     return base::error(std::move(message));
 }
 

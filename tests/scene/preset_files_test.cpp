@@ -84,7 +84,9 @@ TEST_F(FindPreset, suggests_near_names) {
     EXPECT_EQ(found("hart"), "there is no preset 'hart'; did you mean 'heart'?");
     EXPECT_EQ(found("surface/heart"),
               "there is no preset 'surface/heart'; did you mean 'surfaces/heart'?");
-    EXPECT_EQ(found("zzzzzz"), "there is no preset 'zzzzzz'");
+    EXPECT_EQ(found("zzzzzz"),
+              "there is no preset 'zzzzzz'; give the path of a .json file, or a name such as "
+              "'barth_sextic'");
     const std::string near = (folder_ / "shipped/defautl.json").string();
     EXPECT_EQ(found(near), "there is no preset '" + near + "'; did you mean '" +
                                (folder_ / "shipped/default.json").string() + "'?");
