@@ -2,7 +2,7 @@
 // before the surface, where the gradient of a double root does not vanish yet; where it vanishes or is
 // undefined, a little behind, then farther off.
 real3 surface_normal(int object, bool turned, real3 p, real3 d, real footprint) {
-    real offset = -10.0 * zs_relative_step * max(distance(frame.eye.xyz, p), 1e-3);
+    real offset = -min(0.01 * footprint, 30.0 * zs_relative_step * distance(frame.eye.xyz, p));
     for (int i = 0; i < min(6, int(frame.march.x) + 3); ++i) {
         real3 g = object_gradient(object, p + offset * d, footprint);
         real most = max(abs(g.x), max(abs(g.y), abs(g.z)));

@@ -28,8 +28,10 @@ bool touch_add(inout Touch touch, Answer a) {
         return true;
     }
     if (!(gain > 0.0)) {
+        // A long step of a grazing ray may have gone too far; a short one ends in the noise of f.
+        bool is_short = touch.step < 0.03 * pixel_footprint(touch.t);
         touch.step *= 0.25;
-        return ++touch.failures > 4 || touch.step < touch_least(touch.t);
+        return is_short || ++touch.failures > 4;
     }
     real ahead = a.distance * touch.step / gain;
     touch.t += touch.step;

@@ -104,8 +104,8 @@ std::vector<FieldId> leaves(const Field& field, FieldId id);
 FieldId map_domain(Field& field, FieldId id, const std::array<graph::NodeId, 3>& point,
                    graph::NodeId stretch);
 
-/// The smooth union; composes graphs where both sides are made of formulas. A width that a parameter
-/// brings down to 0 gives the plain union.
+/// The smooth union; composes graphs where both sides are made of formulas. A width that a
+/// parameter brings down to 0 gives the plain union.
 FieldId smooth_union(Field& field, FieldId a, FieldId b, graph::NodeId k);
 
 }  // namespace field

@@ -174,6 +174,7 @@ private:
             "{}Answer field(real3 p, real3 d) {{\n"
             "    zs_undefined = 0;\n"
             "    zs_guess = false;\n"
+            "    zs_point = p;\n"
             "{}{}    return {};\n"
             "}}\n",
             count_evaluations_ ? "int zs_evaluations = 0;\n" : "",

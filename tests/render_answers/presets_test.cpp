@@ -59,13 +59,10 @@ INSTANTIATE_TEST_SUITE_P(Shipped, EveryPreset, testing::ValuesIn(all_presets()),
 // The heart's gradient is tiny all around its waist. A finer picture shows what grows there.
 TEST(Heart, has_no_fins) {
     const std::string name = "surfaces/heart.json";
-    const SampledAgreement a = compare_with_samples(read(name), 320, 240, 1000);
+    const SampledAgreement a = compare_with_samples(read(name), 640, 480, 500);
     std::cout << fmt::format("{} missed, {} phantom, {} moved\n", a.missed, a.phantom, a.moved);
-    const int known = known_wrong_pixels("heart_has_no_fins");
-    EXPECT_LE(a.missed + a.phantom + a.moved, std::max(2, known));
-    if (known > 0) {
-        EXPECT_GT(a.missed + a.phantom + a.moved, 2) << "remove it from known_failures.cpp";
-    }
+    // One pixel in about 20,000 is left for those that graze the flat waist.
+    EXPECT_LE(a.missed + a.phantom + a.moved, 15);
 }
 
 class SmoothPreset : public testing::TestWithParam<std::string> {};
