@@ -65,31 +65,21 @@ struct Triplex {
 };
 
 /// p^n in spherical coordinates: radius to the power n, both angles times n.
-struct TriplexPower {
-    Triplex value;
-    /// sin(n theta) / (n sin theta): along the circles of latitude the power stretches by n times
-    /// as much as it does elsewhere, so near the axis up to n^2 times.
-    Expr around;
-};
-
-TriplexPower triplex_power(Builder& b, Triplex p, Expr r, NodeId power) {
+Triplex triplex_power(Builder& b, Triplex p, Expr r, NodeId power) {
     const graph::Node node = b.field.graph[power];  // a copy: adding nodes moves them
-    const Expr rho = hypot(p.x, p.y);
     if (node.op == graph::Op::constant && node.value == std::floor(node.value) && node.value >= 2 &&
         node.value <= 32) {
         const int n = static_cast<int>(node.value);
+        const Expr rho = hypot(p.x, p.y);
         const Complex polar = whole_power({p.z, rho}, n);
-        const Complex turned = whole_power({ratio(p.x, rho), ratio(p.y, rho)}, n);
-        const Expr most = b.number(n) * pow(r, b.number(n - 1)) * rho;
-        return {{polar.im * turned.re, polar.im * turned.im, polar.re}, ratio(polar.im, most)};
+        const Complex around = whole_power({ratio(p.x, rho), ratio(p.y, rho)}, n);
+        return {polar.im * around.re, polar.im * around.im, polar.re};
     }
     const Expr n = b.node(power);
     const Expr theta = n * acos(ratio(p.z, r));
     const Expr phi = n * atan2(p.y, p.x);
     const Expr radius = pow(r, n);
-    const Expr height = sin(theta);
-    return {{radius * height * cos(phi), radius * height * sin(phi), radius * cos(theta)},
-            ratio(height, n * ratio(rho, r))};
+    return {radius * sin(theta) * cos(phi), radius * sin(theta) * sin(phi), radius * cos(theta)};
 }
 
 }  // namespace
@@ -126,10 +116,9 @@ FieldId mandelbulb(Field& field, std::span<const NodeId> arguments) {
     const Expr growth = b.state("growth", b.number(1));  // |z'|
     const Expr potential = b.state("potential", boundary_potential(power, limit));
     const Expr r = hypot(x, y, z);
-    const auto [next, around] = triplex_power(b, {x, y, z}, r, power.id);
-    const Expr stretch = sqrt(max(power * abs(around), 1.0));
+    const Triplex next = triplex_power(b, {x, y, z}, r, power.id);
     return b.finish({next.x + px, next.y + py, next.z + pz,
-                     power * pow(r, power - 1.0) * stretch * growth + 1.0, power * potential},
+                     power * pow(r, power - 1.0) * growth + 1.0, power * potential},
                     limit, r - escape_radius, 0.5 * r * (log(r) - potential) / growth);
 }
 

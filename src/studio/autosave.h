@@ -27,7 +27,7 @@ public:
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
 
-    /// What a session that was not closed has left, if anything; asked for at the start, once.
+    /// What a studio that was not closed has left, if anything; asked for at the start, once.
     std::optional<scene::Document> recover() const;
 
     /// Writes a copy if the document has been unsaved and unchanged for a while, or unsaved for

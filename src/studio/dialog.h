@@ -32,7 +32,7 @@ struct Dialogs {
     std::string still_path;
     bool still_wanted = false;  ///< the picture shall be drawn now
 
-    std::optional<scene::Document> recovered;  ///< what an interrupted session left
+    std::optional<scene::Document> recovered;  ///< what an interrupted run left
 
     bool open() const { return wanted != Kind::none || shown != Kind::none; }
     void show(Kind kind) {

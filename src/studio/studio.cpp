@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "studio/session.h"
+#include "studio/event_loop.h"
 #include "studio/window.h"
 
 namespace studio {
@@ -15,8 +15,8 @@ base::Status run(const Options& options) {
     try {
         auto window = Window::open(options.width, options.height);
         if (!window) return window.problems();
-        Session session(**window, options);
-        while (session.step()) {
+        EventLoop loop(**window, options);
+        while (loop.step()) {
         }
         return base::Done{};
     } catch (const std::exception& exception) {

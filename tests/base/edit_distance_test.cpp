@@ -19,8 +19,6 @@ TEST(EditDistance, counts_swapped_neighbours_once) {
     EXPECT_EQ(edit_distance("shpere", "sphere"), 1u);
 }
 
-TEST(EditDistance, takes_capitals_for_small_letters) {
-    EXPECT_EQ(edit_distance("Sin", "sIN"), 0u);
-}
+TEST(EditDistance, takes_capitals_for_small_letters) { EXPECT_EQ(edit_distance("Sin", "sIN"), 0u); }
 
 }  // namespace

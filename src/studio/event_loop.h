@@ -20,9 +20,9 @@ namespace studio {
 
 /// Nothing is drawn while nothing happens: a step waits for events, for the compiler, or for the
 /// time at which something is due.
-class Session {
+class EventLoop {
 public:
-    Session(Window& window, const Options& options);
+    EventLoop(Window& window, const Options& options);
 
     /// One round of the loop. False when the user has closed the studio.
     bool step();

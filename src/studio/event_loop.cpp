@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studio/session.h"
+#include "studio/event_loop.h"
 
 #include <algorithm>
 #include <utility>
@@ -39,7 +39,7 @@ bool is_fading() {
 
 }  // namespace
 
-Session::Session(Window& window, const Options& options)
+EventLoop::EventLoop(Window& window, const Options& options)
     : window_(window),
       workspace_(first_document()),
       gui_(window),
@@ -57,7 +57,7 @@ Session::Session(Window& window, const Options& options)
     if (workspace_.dialogs.recovered) workspace_.dialogs.show(Dialogs::Kind::recover);
 }
 
-bool Session::step() {
+bool EventLoop::step() {
     window_.handle_events(wait_seconds());
     if (input_.has_news()) frames_to_draw_ = frames_after_event;
     if (window_.wants_to_close()) {
@@ -77,7 +77,7 @@ bool Session::step() {
     return !workspace_.quit;
 }
 
-double Session::wait_seconds() const {
+double EventLoop::wait_seconds() const {
     if (frames_to_draw_ > 0 || input_.has_news() || workspace_.playback.playing) return 0;
     const double now = glfwGetTime();
     double seconds = std::min(longest_wait, autosave_.wait(now));
@@ -86,7 +86,7 @@ double Session::wait_seconds() const {
     return seconds;
 }
 
-void Session::take_answers() {
+void EventLoop::take_answers() {
     Compilation& compilation = workspace_.compilation;
     if (auto scene = compiler_.take_scene()) {
         compilation.text = std::move(scene->text);
@@ -121,14 +121,14 @@ void Session::take_answers() {
     workspace_.drawing_still = still;
 }
 
-void Session::ask_compiler() {
+void EventLoop::ask_compiler() {
     scene::Document document = workspace_.shown();
     if (asked_ && compiles_alike(*asked_, document)) return;
     compiler_.request(document);
     asked_ = std::move(document);
 }
 
-void Session::ask_for_picture() {
+void EventLoop::ask_for_picture() {
     const Compilation& compilation = workspace_.compilation;
     if (!compilation.drawable) return;
     WantedPicture wanted{.document = workspace_.shown(),
@@ -141,7 +141,7 @@ void Session::ask_for_picture() {
     picture_.want(wanted, glfwGetTime());
 }
 
-void Session::draw_picture() {
+void EventLoop::draw_picture() {
     if (window_.framebuffer_width() == 0) return;
     const auto news = picture_.work(drawing_budget, glfwGetTime());
     if (!news) {
@@ -160,7 +160,7 @@ void Session::draw_picture() {
     frames_to_draw_ = std::max(frames_to_draw_, 1);
 }
 
-void Session::draw_interface() {
+void EventLoop::draw_interface() {
     if (window_.framebuffer_width() == 0) return;
     const double now = glfwGetTime();
     if (workspace_.playback.playing) {
@@ -189,11 +189,13 @@ void Session::draw_interface() {
     window_.set_title(workspace_.name() + (workspace_.unsaved() ? "* - Zeroset" : " - Zeroset"));
 }
 
-void Session::record() { workspace_.history.record(workspace_.document, gesture(), glfwGetTime()); }
+void EventLoop::record() {
+    workspace_.history.record(workspace_.document, gesture(), glfwGetTime());
+}
 
 /// A press of a mouse button and everything until it is let go is one gesture; so is a burst of
 /// typing in one field, and of turning the wheel.
-Gesture Session::gesture() {
+Gesture EventLoop::gesture() {
     const ImGuiIO& io = ImGui::GetIO();
     const bool pressed = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
     if (pressed && !was_pressed_) ++presses_;
@@ -205,14 +207,14 @@ Gesture Session::gesture() {
     return {workspace_.gesture, false};
 }
 
-void Session::keep_safe() {
-    // What an earlier session has left must not be overwritten before the user has seen it.
+void EventLoop::keep_safe() {
+    // What an earlier loop has left must not be overwritten before the user has seen it.
     if (workspace_.dialogs.recovered) return;
     auto status = autosave_.update(workspace_.document, workspace_.unsaved(), glfwGetTime());
     if (!status) say(status.problems());
 }
 
-void Session::start_still() {
+void EventLoop::start_still() {
     Dialogs& dialogs = workspace_.dialogs;
     if (!std::exchange(dialogs.still_wanted, false)) return;
     const std::filesystem::path file = dialogs.still_path;
@@ -227,7 +229,7 @@ void Session::start_still() {
     workspace_.drawing_still = true;
 }
 
-void Session::say(const base::Diagnostics& problems) {
+void EventLoop::say(const base::Diagnostics& problems) {
     workspace_.report_problems(problems);
     frames_to_draw_ = frames_after_event;
 }
