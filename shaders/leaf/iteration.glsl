@@ -1,12 +1,15 @@
-// The answer of an escape-time set. Where the iteration never escaped is inside, and nothing is
-// known about how deep: the step out is heuristic, `distance` continues the estimate near the wall.
-Answer iteration_answer(real distance, bool inside, int object) {
-    if (isnan(distance)) distance = 0.0;
+// The answer of an iteration from its estimate. The distance itself is up to `reach` times as much (for
+// escape-time sets Koebe's theorem leaves a factor of 4): told as the distance, that keeps a ray from
+// ending where the step is short but the surface is not near. Where an escape-time iteration never
+// escaped is inside, and nothing is known about how deep: the step out is heuristic, `distance` continues
+// the estimate near the wall.
+Answer iteration_answer(real estimate, bool inside, real reach, int object) {
+    if (isnan(estimate)) estimate = 0.0;
     if (!inside) {
-        real s = max(distance, 0.0);
-        return Answer(s / frame.march.y, s, s, 0.0, false, false, object);
+        real s = reach > 1.0 ? max(estimate, 0.0) : estimate;
+        return Answer(s / frame.march.y, reach * s, s, 0.0, false, false, object);
     }
     zs_guess = true;
-    real depth = min(distance, -1e-30);
-    return Answer(-0.125 * blind_step(), depth, depth, 0.0, false, false, object);
+    real depth = min(estimate, -1e-30);
+    return Answer(-0.125 * blind_step(), reach * depth, depth, 0.0, false, false, object);
 }

@@ -181,7 +181,7 @@ void add_tracing_options(CLI::App& command, RenderOptions& o) {
         o.steps = value;
     });
     add_number(command, "--lipschitz", "Every step is divided by this (1)", 1e-3, 1e6, o.lipschitz);
-    add_number(command, "--epsilon", "A hit is closer than this part of a pixel (0.1)", 1e-6, 1e3,
+    add_number(command, "--epsilon", "A hit is closer than this part of a pixel (0.1)", 1e-6, 100,
                o.epsilon);
     add_number(command, "--shadow", "Shadow factor: small is soft, large is hard (12)", 1e-3, 1e6,
                o.shadow);

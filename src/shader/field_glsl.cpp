@@ -93,9 +93,9 @@ private:
             "Answer leaf_{0}(real3 p, real3 d) {{\n"
             "    bool inside;\n"
             "    real f = value_{0}(p, inside);\n"
-            "    return iteration_answer(f, inside, {0});\n"
+            "    return iteration_answer(f, inside, {1}, {0});\n"
             "}}\n",
-            i);
+            i, iteration.escape ? "4.0" : "1.0");
         finish(w, "leaf/iteration.glsl");
         out_.has_iterations = true;
     }
