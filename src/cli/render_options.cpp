@@ -186,7 +186,7 @@ void add_tracing_options(CLI::App& command, RenderOptions& o) {
     add_number(command, "--shadow", "Shadow factor: small is soft, large is hard (12)", 1e-3, 1e6,
                o.shadow);
     command.add_flag("--no-shadow", o.no_shadow, "No shadows");
-    command.add_flag("--no-ao", o.no_ambient_occlusion, "No ambient occlusion");
+    command.add_flag("--no-ao", o.no_ambient_occlusion, "No ambient occlusion (none is drawn yet)");
     command.add_flag("--show-steps", o.show_steps, "Colour the number of steps instead of shading");
 }
 

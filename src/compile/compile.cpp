@@ -94,7 +94,6 @@ shader::ProgramSource program_source(const Formula& formula, const scene::Docume
     features.bounds_sphere = document.bounds.shape == scene::Bounds::Shape::sphere;
     features.bounds_box = document.bounds.shape == scene::Bounds::Shape::box;
     features.shadows = settings.shadows;
-    features.ambient_occlusion = settings.ambient_occlusion;
     features.grid = settings.grid;
     features.show_steps = settings.show_steps;
     features.outputs = outputs;

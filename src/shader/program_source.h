@@ -35,7 +35,6 @@ struct Features {
     bool bounds_sphere = true;  ///< otherwise bounds_box, or none
     bool bounds_box = false;
     bool shadows = true;
-    bool ambient_occlusion = true;
     bool grid = false;
     bool show_steps = false;
     Outputs outputs;
