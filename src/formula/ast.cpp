@@ -21,6 +21,17 @@ struct Parts {
     }
     List operator()(const Call& call) const { return call.arguments; }
     List operator()(const Tuple& tuple) const { return tuple.parts; }
+    List operator()(const Component& component) const { return {component.operand}; }
+    List operator()(const Iterate& it) const {
+        List list;
+        for (const Assignment& assignment : it.state) list.push_back(assignment.value);
+        list.push_back(it.limit);
+        if (it.until) list.push_back(*it.until);
+        for (const Assignment& assignment : it.body) list.push_back(assignment.value);
+        if (it.distance) list.push_back(*it.distance);
+        if (it.colour) list.push_back(*it.colour);
+        return list;
+    }
     List operator()(const Sum& sum) const { return of(sum.operands); }
     List operator()(const Product& product) const { return of(product.operands); }
     List operator()(const Intersection& chain) const { return of(chain.operands); }

@@ -74,11 +74,33 @@ struct Call {
 struct Tuple {
     std::vector<ExpressionId> parts;
 };
+/// a.x, or several components at once: a.xy
+struct Component {
+    ExpressionId operand{};
+    std::string letters;    ///< of x, y, z, w; one or more
+    base::SourceSpan name;  ///< of the letters
+};
+
+/// name = value, inside an iteration.
+struct Assignment {
+    std::string name;
+    base::SourceSpan span;  ///< of the name
+    ExpressionId value{};
+};
+/// iterate q = start, s = start for limit until a > b: body
+struct Iterate {
+    std::vector<Assignment> state;         ///< what is carried from turn to turn, with its start
+    ExpressionId limit{};                  ///< turns at most
+    std::optional<ExpressionId> until;     ///< a Comparison
+    std::vector<Assignment> body;          ///< in order: state and names of the turn
+    std::optional<ExpressionId> distance;  ///< `distance = ...` in the body: of the last state
+    std::optional<ExpressionId> colour;    ///< `colour = ...` likewise
+};
 /// Stands for what could not be parsed; its error is reported already.
 struct Broken {};
 
 using ExpressionNode = std::variant<Number, Name, Negate, Sum, Product, Intersection, Union, Power,
-                                    Comparison, Call, Tuple, Broken>;
+                                    Comparison, Call, Tuple, Component, Iterate, Broken>;
 
 struct Expression {
     ExpressionNode node;
@@ -86,21 +108,38 @@ struct Expression {
     std::uint32_t height = 1;  ///< levels of the tree below and including this one
 };
 
-/// name = value
+/// What a function that the user defines is called with.
+struct FunctionParameter {
+    std::string name;
+    base::SourceSpan span;                ///< of the name
+    std::optional<ExpressionId> initial;  ///< where it may be left out
+};
+
+/// name = value, or name(a, b = initial) = value
 struct Definition {
     std::string name;
     base::SourceSpan span;  ///< of the name
     ExpressionId value{};
+    std::optional<std::vector<FunctionParameter>> parameters;  ///< of a function
 };
 
-/// param name = initial in [minimum, maximum] step s "label"
+/// How a parameter is shown and what it may be; `real` covers numbers and vectors.
+enum class ParameterType { real, integer, logarithmic, angle, colour, choice, toggle };
+
+/// param name = initial in [minimum, maximum] step s angle "label" group "g" tooltip "t"
 struct ParameterDeclaration {
     std::string name;
     base::SourceSpan span;  ///< of the name
+    ParameterType type = ParameterType::real;
+    base::SourceSpan type_span;  ///< of the word that says the type; the name's if none does
+    /// A number or a tuple; of a choice the index as a Number (from 0), of a toggle 1 or 0.
     ExpressionId initial{};
     std::optional<std::array<ExpressionId, 2>> range;
+    std::vector<std::string> choices;  ///< of a choice: in ["a", "b"]
     std::optional<ExpressionId> step;
     std::optional<std::string> label;
+    std::optional<std::string> group;
+    std::optional<std::string> tooltip;
 };
 
 using Statement = std::variant<Definition, ParameterDeclaration>;

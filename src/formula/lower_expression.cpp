@@ -118,6 +118,8 @@ struct Visitor {
     Value operator()(const Intersection& it) const { return lower_intersection(lowering, it); }
     Value operator()(const Union& it) const { return lower_union(lowering, it); }
     Value operator()(const Call& it) const { return lower_call(lowering, it); }
+    Value operator()(const Component&) const { return Nothing{}; }
+    Value operator()(const Iterate&) const { return Nothing{}; }
     Value operator()(const Broken&) const { return Nothing{}; }
 };
 

@@ -61,6 +61,10 @@ struct Head {
     }
     std::string operator()(const Call& call) const { return "call " + call.function; }
     std::string operator()(const Tuple&) const { return "tuple"; }
+    std::string operator()(const Component& component) const {
+        return "component " + component.letters;
+    }
+    std::string operator()(const Iterate&) const { return "iterate"; }
     std::string operator()(const Broken&) const { return "broken"; }
 };
 
