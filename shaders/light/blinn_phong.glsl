@@ -2,6 +2,7 @@
 real3 shade(int object, real3 p, real3 n, real3 d, real footprint) {
     int index = object % max(int(frame.ground.w), 1);
     vec4 material = frame.material[index];
+    material.rgb = surface_colour(object, p, material.rgb);
     real exponent = frame.material_shininess[index].x;
     real3 light = mix(frame.ground.rgb, frame.sky.rgb, 0.5 + 0.5 * n.y) * material.rgb;
     for (int i = 0; i < int(frame.sky.w); ++i) {

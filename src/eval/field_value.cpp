@@ -40,7 +40,13 @@ void set_state(const field::Iteration& iteration, const std::vector<double>& val
     }
 }
 
-double leaf(const Place& place, const field::Iteration& iteration) {
+/// Where an iteration ends: the point and the last state, indexed by VariableId.
+struct LastTurn {
+    std::vector<double> variables;
+    bool escaped = false;
+};
+
+LastTurn iterate(const Place& place, const field::Iteration& iteration) {
     std::vector<double> variables(place.field.graph.variable_count(), 0.0);
     for (int i = 0; i < 3; ++i) variables[static_cast<std::size_t>(i)] = place.point[i];
     set_state(iteration, run(place, iteration.start, variables), variables);
@@ -57,8 +63,13 @@ double leaf(const Place& place, const field::Iteration& iteration) {
         set_state(iteration, state, variables);
         out = escaped();
     }
-    if (iteration.escape && !out) return -numeric::infinity;
-    return solid(run(place, std::array{iteration.distance}, variables)[0]);
+    return {std::move(variables), out};
+}
+
+double leaf(const Place& place, const field::Iteration& iteration) {
+    const LastTurn last = iterate(place, iteration);
+    if (iteration.escape && !last.escaped) return -numeric::infinity;
+    return solid(run(place, std::array{iteration.distance}, last.variables)[0]);
 }
 
 double leaf(const Place& place, const field::Formula& formula) {
@@ -93,15 +104,37 @@ double value_at(const Place& place, field::FieldId id) {
     return std::visit(Visitor{place}, place.field[id]);
 }
 
-}  // namespace
-
-double value(const field::Field& field, field::FieldId id, glm::dvec3 point,
-             std::span<const double> parameters) {
+Place place_of(const field::Field& field, glm::dvec3 point, std::span<const double> parameters) {
     Place place{field, point, {parameters.begin(), parameters.end()}};
     if (place.parameters.size() < field.graph.parameter_count()) {
         place.parameters.resize(field.graph.parameter_count(), 0.0);
     }
-    return value_at(place, id);
+    return place;
+}
+
+}  // namespace
+
+double value(const field::Field& field, field::FieldId id, glm::dvec3 point,
+             std::span<const double> parameters) {
+    return value_at(place_of(field, point, parameters), id);
+}
+
+std::optional<glm::dvec3> colour(const field::Field& field, field::FieldId leaf, glm::dvec3 point,
+                                 std::span<const double> parameters) {
+    const std::optional<field::Colour> colour = field::colour_of(field[leaf]);
+    if (!colour) return std::nullopt;
+    const Place place = place_of(field, point, parameters);
+    std::vector<double> variables{point.x, point.y, point.z};
+    if (const auto* iteration = std::get_if<field::Iteration>(&field[leaf])) {
+        variables = iterate(place, *iteration).variables;
+    }
+    const std::vector<double> parts = run(place, *colour, variables);
+    glm::dvec3 result(0);
+    for (int i = 0; i < 3; ++i) {
+        const double part = parts[static_cast<std::size_t>(i)];
+        result[i] = part > 0 ? part : 0;
+    }
+    return result;
 }
 
 }  // namespace eval

@@ -3,6 +3,7 @@
 // shaders compute.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include <glm/vec3.hpp>
@@ -20,5 +21,10 @@ namespace eval {
 /// ParameterId; missing ones are 0. Makes tapes each time: for tests and single points.
 double value(const field::Field& field, field::FieldId id, glm::dvec3 point,
              std::span<const double> parameters);
+
+/// The own colour of a leaf at a point, linear RGB of at least 0; nothing if it has its material's.
+/// An iteration is run as for its value.
+std::optional<glm::dvec3> colour(const field::Field& field, field::FieldId leaf, glm::dvec3 point,
+                                 std::span<const double> parameters);
 
 }  // namespace eval

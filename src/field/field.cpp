@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "field/field.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "field/overloaded.h"
 #include "graph/build.h"
 #include "graph/substitute.h"
 
@@ -13,13 +15,6 @@ using graph::NodeId;
 
 /// Narrower than any pixel, and still no denormal number in single precision.
 constexpr double least_width = 1e-30;
-
-template <class... Functions>
-struct Overloaded : Functions... {
-    using Functions::operator()...;
-};
-template <class... Functions>
-Overloaded(Functions...) -> Overloaded<Functions...>;
 
 void collect_leaves(const Field& field, FieldId id, std::vector<FieldId>& list) {
     std::visit(Overloaded{[&](const Formula&) { list.push_back(id); },
@@ -38,12 +33,19 @@ NodeId stretched(Field& field, NodeId value, NodeId stretch) {
                                                : field.graph.apply(graph::Op::mul, value, stretch);
 }
 
+Colour mapped_colour(Field& field, const Colour& colour,
+                     std::span<const std::pair<graph::VariableId, NodeId>> replacements) {
+    const std::vector<NodeId> mapped = substitute(field.graph, colour, replacements);
+    return {mapped[0], mapped[1], mapped[2]};
+}
+
 Node mapped_leaf(Field& field, const Formula& leaf,
                  std::span<const std::pair<graph::VariableId, NodeId>> replacements,
                  NodeId stretch) {
     Formula result = leaf;
     result.value = substitute(field.graph, std::array{leaf.value}, replacements)[0];
     if (leaf.metric == Metric::distance) result.value = stretched(field, result.value, stretch);
+    if (leaf.colour) result.colour = mapped_colour(field, *leaf.colour, replacements);
     return result;
 }
 
@@ -58,11 +60,12 @@ Node mapped_leaf(Field& field, const Iteration& leaf,
     }
     result.distance = substitute(field.graph, std::array{leaf.distance}, replacements)[0];
     result.distance = stretched(field, result.distance, stretch);
+    if (leaf.colour) result.colour = mapped_colour(field, *leaf.colour, replacements);
     return result;
 }
 
 /// The one expression of a tree of solid formulas, min and max for union and intersection; none if
-/// the tree holds anything else.
+/// the tree holds anything else, also where a colour would be lost.
 std::optional<Formula> composed(Field& field, FieldId id) {
     const auto binary = [&](FieldId a_id, FieldId b_id, graph::Op op) -> std::optional<Formula> {
         const auto a = composed(field, a_id);
@@ -75,7 +78,8 @@ std::optional<Formula> composed(Field& field, FieldId id) {
     const Node node = field[id];
     return std::visit(Overloaded{
                           [](const Formula& leaf) -> std::optional<Formula> {
-                              return leaf.kind == Kind::solid ? std::optional(leaf) : std::nullopt;
+                              const bool plain = leaf.kind == Kind::solid && !leaf.colour;
+                              return plain ? std::optional(leaf) : std::nullopt;
                           },
                           [&](const Union& u) { return binary(u.a, u.b, graph::Op::min); },
                           [&](const Intersection& i) { return binary(i.a, i.b, graph::Op::max); },
@@ -107,6 +111,35 @@ Kind kind_of(const Field& field, FieldId id) {
                                  [&](const Intersection& node) { return either(node.a, node.b); },
                                  [](const auto&) { return Kind::solid; }},
                       field[id]);
+}
+
+std::vector<bool> needed_state(const graph::Graph& graph, const Iteration& iteration,
+                               std::span<const NodeId> answers) {
+    std::vector<bool> needed(iteration.state.size(), false);
+    std::vector<NodeId> roots(answers.begin(), answers.end());
+    if (iteration.escape) roots.push_back(*iteration.escape);
+    // What a needed variable's step needs is needed too.
+    while (!roots.empty()) {
+        std::vector<NodeId> steps;
+        for (const NodeId id : reachable(graph, roots)) {
+            const graph::Node& node = graph[id];
+            if (node.op != graph::Op::variable) continue;
+            const auto variable = static_cast<graph::VariableId>(node.symbol);
+            const auto found = std::ranges::find(iteration.state, variable);
+            if (found == iteration.state.end()) continue;
+            const auto i = static_cast<std::size_t>(found - iteration.state.begin());
+            if (!needed[i]) steps.push_back(iteration.step[i]);
+            needed[i] = true;
+        }
+        roots = std::move(steps);
+    }
+    return needed;
+}
+
+std::optional<Colour> colour_of(const Node& leaf) {
+    if (const auto* formula = std::get_if<Formula>(&leaf)) return formula->colour;
+    if (const auto* iteration = std::get_if<Iteration>(&leaf)) return iteration->colour;
+    return std::nullopt;
 }
 
 std::vector<FieldId> leaves(const Field& field, FieldId id) {

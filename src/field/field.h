@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,18 +27,24 @@ enum class Metric {
     distance,  ///< a signed distance bound: 1-Lipschitz in the point
 };
 
+/// A leaf's own colour in place of its material's: red, green and blue, linear; negative and
+/// undefined ones count as 0. Of the point, in an iteration also of the state after the last turn.
+using Colour = std::array<graph::NodeId, 3>;
+
 /// A leaf given by one expression in the point.
 struct Formula {
     graph::NodeId value{};
     Metric metric = Metric::scalar;
     Kind kind = Kind::solid;
+    std::optional<Colour> colour{};
 };
 
 /// An escape-time leaf, always a solid. The state starts at `start` (of the point), and `step` (of
 /// state and point, all at once) is repeated at most `limit` times, until `escape` > 0. If it
 /// escaped, or if there is no `escape`, `distance` (of state and point) is the answer, a signed
 /// estimate of the distance: heuristic unless the builder says otherwise. If it never escaped, the
-/// point is inside, and nothing is known about how deep.
+/// point is inside, and nothing is known about how deep. State that no answer needs costs nothing:
+/// see `needed_state`.
 struct Iteration {
     std::vector<graph::VariableId> state;
     std::vector<graph::NodeId> start;
@@ -45,6 +52,7 @@ struct Iteration {
     graph::NodeId limit{};  ///< independent of the point; rounded to the nearest whole number
     std::optional<graph::NodeId> escape;
     graph::NodeId distance{};
+    std::optional<Colour> colour{};
 };
 
 struct Union {
@@ -93,6 +101,14 @@ struct Field {
 
 /// Sheet if any part that is visible as itself is a sheet.
 Kind kind_of(const Field& field, FieldId id);
+
+/// For each state variable of an iteration whether these expressions (of state and point), or the
+/// escape, need its value.
+std::vector<bool> needed_state(const graph::Graph& graph, const Iteration& iteration,
+                               std::span<const graph::NodeId> answers);
+
+/// The own colour of a leaf, if it has one.
+std::optional<Colour> colour_of(const Node& leaf);
 
 /// The leaves below a node from left to right: the objects of the scene. A leaf that is used twice
 /// is listed twice.

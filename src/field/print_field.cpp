@@ -38,6 +38,14 @@ std::string expressions(const graph::Graph& graph,
     return text;
 }
 
+void add_colour(std::vector<std::pair<std::string, NodeId>>& list,
+                const std::optional<Colour>& colour) {
+    if (!colour) return;
+    list.emplace_back("red", (*colour)[0]);
+    list.emplace_back("green", (*colour)[1]);
+    list.emplace_back("blue", (*colour)[2]);
+}
+
 struct Printer {
     const Field& field;
     std::string indent;
@@ -46,8 +54,9 @@ struct Printer {
     std::string operator()(const Formula& leaf) const {
         const std::string kind = leaf.kind == Kind::sheet ? "sheet" : "solid";
         const std::string metric = leaf.metric == Metric::distance ? " distance" : "";
-        return kind + metric + '\n' +
-               expressions(field.graph, {{"value", leaf.value}}, indent + "  ");
+        std::vector<std::pair<std::string, NodeId>> list{{"value", leaf.value}};
+        add_colour(list, leaf.colour);
+        return kind + metric + '\n' + expressions(field.graph, list, indent + "  ");
     }
     std::string operator()(const Iteration& leaf) const {
         std::vector<std::pair<std::string, NodeId>> list;
@@ -59,6 +68,7 @@ struct Printer {
         list.emplace_back("limit", leaf.limit);
         if (leaf.escape) list.emplace_back("escape", *leaf.escape);
         list.emplace_back("distance", leaf.distance);
+        add_colour(list, leaf.colour);
         return "iteration\n" + expressions(field.graph, list, indent + "  ");
     }
     std::string operator()(const Union& node) { return inner("union", {node.a, node.b}); }

@@ -13,13 +13,21 @@ using graph::NodeId;
 struct Expressions {
     std::vector<NodeId*> list;
 
-    void operator()(field::Formula& leaf) { list.push_back(&leaf.value); }
+    void add(std::optional<field::Colour>& colour) {
+        if (!colour) return;
+        for (NodeId& id : *colour) list.push_back(&id);
+    }
+    void operator()(field::Formula& leaf) {
+        list.push_back(&leaf.value);
+        add(leaf.colour);
+    }
     void operator()(field::Iteration& leaf) {
         for (NodeId& id : leaf.start) list.push_back(&id);
         for (NodeId& id : leaf.step) list.push_back(&id);
         list.push_back(&leaf.limit);
         if (leaf.escape) list.push_back(&*leaf.escape);
         list.push_back(&leaf.distance);
+        add(leaf.colour);
     }
     void operator()(field::SmoothUnion& node) { list.push_back(&node.k); }
     void operator()(field::Union&) {}

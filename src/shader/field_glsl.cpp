@@ -45,6 +45,7 @@ public:
         write_sides();
         write_tree();
         write_gradients();
+        write_colours();
         out_.values = values_.list();
         out_.expressions = eval::make_tape(field_.graph, values_.expressions());
         return std::move(out_);
@@ -151,8 +152,11 @@ private:
     }
 
     void finish(const ExpressionWriter& w, const char* leaf_part) {
-        out_.operator_parts.insert(w.operator_parts().begin(), w.operator_parts().end());
+        add_operators(w);
         out_.leaf_parts.insert(leaf_part);
+    }
+    void add_operators(const ExpressionWriter& w) {
+        out_.operator_parts.insert(w.operator_parts().begin(), w.operator_parts().end());
     }
 
     void write_sides() {
@@ -244,6 +248,35 @@ private:
         }
         if (condition.empty()) return "";
         return fmt::format("    if ({}) g = object_differences(object, p, h);\n", condition);
+    }
+
+    void write_colours() {
+        std::string calls;
+        for (std::size_t i = 0; i < leaves_.size(); ++i) {
+            const std::optional<field::Colour> colour = colour_of(field_[leaves_[i].id]);
+            if (!colour) continue;
+            ExpressionWriter w = writer();
+            const auto* iteration = std::get_if<field::Iteration>(&field_[leaves_[i].id]);
+            const std::string body = iteration
+                                         ? iteration_colour(field_.graph, *iteration, w, values_)
+                                         : w.statements(*colour, "    ");
+            out_.code += fmt::format("real3 colour_{}(real3 p) {{\n{}", i, body);
+            out_.code +=
+                fmt::format("    return real3({}, {}, {});\n}}\n", w.spelling((*colour)[0]),
+                            w.spelling((*colour)[1]), w.spelling((*colour)[2]));
+            add_operators(w);
+            calls += fmt::format(
+                "    if (object == {0}) {{\n        colour = colour_{0}(p);\n        return "
+                "true;\n    "
+                "}}\n",
+                i);
+        }
+        out_.has_colours = !calls.empty();
+        if (!out_.has_colours) return;
+        out_.code += fmt::format(
+            "bool object_colour(int object, real3 p, out real3 colour) {{\n{}"
+            "    return false;\n}}\n",
+            calls);
     }
 
     field::Field field_;

@@ -18,6 +18,7 @@ struct FieldGlsl {
     std::vector<FieldValue> values;
     eval::Tape expressions;  ///< those among the values, in their order
     bool has_iterations = false;
+    bool has_colours = false;
 };
 
 /// Writes, for the tree and each leaf (object 0, 1, ... from left to right):
@@ -27,6 +28,7 @@ struct FieldGlsl {
 ///   void field_accept()             after the ray has gone on to the point last asked for
 ///   real3 object_gradient(i, p, h)  a leaf's gradient; by differences over h if it is an iteration
 ///   real object_distance(i, p)      an iteration's value; only if there are iterations
+///   bool object_colour(i, p, colour)  a leaf's own colour, if it has one; only if some leaf has
 /// The field's graph gets the derivatives' nodes, hence the copy.
 FieldGlsl field_glsl(field::Field field, bool count_evaluations);
 

@@ -16,4 +16,9 @@ namespace shader {
 std::string iteration_body(const graph::Graph& graph, const field::Iteration& iteration,
                            ExpressionWriter& writer, FieldValues& values);
 
+/// The statements that compute the colour of an iteration that has one at a point `p`; carries only
+/// the state that the colour needs.
+std::string iteration_colour(const graph::Graph& graph, const field::Iteration& iteration,
+                             ExpressionWriter& writer, FieldValues& values);
+
 }  // namespace shader

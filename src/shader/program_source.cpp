@@ -58,12 +58,13 @@ std::string outputs_code(const Features& features) {
            (outputs.count ? "    int primary_evaluations = zs_evaluations;\n" : "") + body + "}\n";
 }
 
-void add_picture_parts(Assembly& assembly, const Features& features) {
+void add_picture_parts(Assembly& assembly, const Features& features, bool own_colours) {
     if (features.show_steps) {
         assembly.add_part("output/steps.glsl");
         return;
     }
     assembly.add_part(features.shadows ? "light/soft_shadow.glsl" : "light/visibility_all.glsl");
+    assembly.add_part(own_colours ? "material/of_point.glsl" : "material/of_object.glsl");
     assembly.add_part("light/blinn_phong.glsl");
     assembly.add_part("light/background.glsl");
     assembly.add_part(features.grid ? "ground/grid.glsl" : "ground/none.glsl");
@@ -100,7 +101,7 @@ ProgramSource program_source(const field::Field& field, const Features& features
     assembly.add_part("tracer/march.glsl");
     if (generated.has_iterations) assembly.add_part("normal/differences.glsl");
     assembly.add_part("normal/normal.glsl");
-    if (features.outputs.picture) add_picture_parts(assembly, features);
+    if (features.outputs.picture) add_picture_parts(assembly, features, generated.has_colours);
     assembly.add_code(outputs_code(features));
     assembly.add_part("output/fragment.glsl");
     Assembly vertex;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "graph/build.h"
 #include "shader/programs.h"
 
 namespace shader {
@@ -66,6 +67,38 @@ TEST(FieldGlsl, computes_once_what_does_not_change_from_step_to_step) {
     ASSERT_NE(loop, std::string::npos);
     EXPECT_LT(code.find("p.x - 1.0"), loop);
     EXPECT_EQ(code.find("p.x - 1.0", loop), std::string::npos);
+}
+
+TEST(FieldGlsl, has_colours_only_if_a_leaf_has_one) {
+    field::Field f = field_of("sphere(1) | box(1)");
+    EXPECT_FALSE(field_glsl(f, false).has_colours);
+    EXPECT_FALSE(has(field_glsl(f, false).code, "object_colour"));
+    const graph::NodeId x = f.graph.variable(graph::variable_x);
+    std::get<field::Formula>(f.nodes[index(leaves(f, f.root)[1])]).colour = field::Colour{x, x, x};
+    const FieldGlsl generated = field_glsl(f, false);
+    EXPECT_TRUE(generated.has_colours);
+    EXPECT_TRUE(has(generated.code, "real3 colour_1(real3 p) {\n    return real3(p.x, p.x, p.x);"));
+    EXPECT_FALSE(has(generated.code, "colour_0("));
+}
+
+TEST(FieldGlsl, carries_state_only_where_it_is_needed) {
+    field::Field f;
+    const graph::VariableId orbit = f.graph.new_variable("u"), trap = f.graph.new_variable("trap");
+    const graph::Expr u(f.graph, f.graph.variable(orbit)), least(f.graph, f.graph.variable(trap));
+    f.root =
+        f.add(field::Iteration{.state = {orbit, trap},
+                               .start = {f.graph.variable(graph::variable_x), f.graph.constant(10)},
+                               .step = {(2.0 * u).id, min(least, u).id},
+                               .limit = f.graph.constant(4),
+                               .escape = (u - 10.0).id,
+                               .distance = u.id,
+                               .colour = field::Colour{least.id, least.id, least.id}});
+    const std::string code = field_glsl(f, false).code;
+    const std::size_t colour = code.find("colour_0(");
+    ASSERT_NE(colour, std::string::npos);
+    EXPECT_LT(code.find("next0"), colour);
+    EXPECT_GT(code.find("next1"), colour) << "the march needs no trap";
+    EXPECT_NE(code.find("next1"), std::string::npos);
 }
 
 }  // namespace
