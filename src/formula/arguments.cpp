@@ -19,9 +19,9 @@ struct NamedArgument {
 };
 
 std::optional<NamedArgument> named(const Lowering& lowering, ExpressionId id) {
-    const auto* comparison = std::get_if<Comparison>(&lowering.program[id].node);
+    const auto* comparison = std::get_if<Comparison>(&lowering[id].node);
     if (!comparison || comparison->relation != Relation::equal) return std::nullopt;
-    const Expression& left = lowering.program[comparison->left];
+    const Expression& left = lowering[comparison->left];
     const auto* name = std::get_if<Name>(&left.node);
     if (!name) return std::nullopt;
     return NamedArgument{name->text, left.span, comparison->right};
@@ -128,7 +128,7 @@ std::optional<std::vector<graph::NodeId>> uniform_components(Lowering& lowering,
     if (std::holds_alternative<Nothing>(value)) return std::nullopt;
     std::vector<graph::NodeId> parts;
     if (const auto* number = std::get_if<graph::NodeId>(&value)) parts = {*number};
-    if (const auto* tuple = std::get_if<TupleValue>(&value)) parts = tuple->parts;
+    if (const auto* tuple = std::get_if<VectorValue>(&value)) parts = tuple->components;
     const base::SourceSpan span = lowering.span(id);
     if (std::holds_alternative<FieldValue>(value)) {
         lowering.error(span, fmt::format("{} is a {}, not a field", subject,

@@ -19,18 +19,17 @@ bool may_define(Lowering& lowering, const std::string& name, base::SourceSpan sp
         lowering.error(span, fmt::format("'{}' is a coordinate and cannot be redefined", name));
         return false;
     }
-    const auto found = lowering.names.find(name);
-    if (found == lowering.names.end()) return true;
-    const std::size_t line = base::line_column(lowering.text, found->second.span.begin).line;
-    lowering.error(
-        span, fmt::format("'{}' is already defined on line {}; choose another name", name, line));
+    const auto found = lowering.scope->names.find(name);
+    if (found == lowering.scope->names.end()) return true;
+    lowering.error(span, fmt::format("'{}' is already defined on line {}; choose another name",
+                                     name, lowering.line(found->second.span)));
     return false;
 }
 
 void define(Lowering& lowering, const Definition& definition) {
     Value value = lower_expression(lowering, definition.value);
     if (!may_define(lowering, definition.name, definition.span)) return;
-    lowering.names[definition.name] = {std::move(value), definition.span};
+    lowering.scope->set(definition.name, std::move(value), definition.span, Role::definition);
 }
 
 void define(Lowering& lowering, const ParameterDeclaration& declaration) {
@@ -42,32 +41,32 @@ void define(Lowering& lowering, const ParameterDeclaration& declaration) {
         value = lowering.field.graph.parameter(parameter->id);
         lowering.field.parameters.push_back(*std::move(parameter));
     }
-    lowering.names[declaration.name] = {std::move(value), declaration.span, true};
+    lowering.scope->set(declaration.name, std::move(value), declaration.span, Role::slider);
 }
 
-base::Diagnostics unused_names(const Lowering& lowering) {
-    base::Diagnostics warnings;
-    for (const auto& [name, binding] : lowering.names) {
+void warn_of_unused_names(Lowering& lowering) {
+    for (const auto& [name, binding] : lowering.scope->names) {
         if (binding.used) continue;
-        warnings.push_back(base::warning(
-            binding.span, fmt::format("the {} '{}' is never used",
-                                      binding.parameter ? "parameter" : "definition", name)));
+        const bool slider = binding.role == Role::slider;
+        lowering.warning(binding.span, fmt::format("the {} '{}' is never used",
+                                                   slider ? "parameter" : "definition", name));
     }
-    return in_order(std::move(warnings));
 }
 
 }  // namespace
 
 base::Result<Lowered> lower(const Program& program, std::string_view text) {
-    Lowering lowering{program, text};
+    const Source source{program, text};
+    Scope scope;
+    Lowering lowering{&source, &scope};
     for (const Statement& statement : program.statements) {
         std::visit([&](const auto& it) { define(lowering, it); }, statement);
     }
     const std::optional<FieldValue> root = as_field(lowering, program.result);
     if (!root || base::has_errors(lowering.errors)) return in_order(std::move(lowering.errors));
     lowering.field.root = root->id;
-    base::Diagnostics warnings = unused_names(lowering);
-    return Lowered{std::move(lowering.field), std::move(warnings)};
+    warn_of_unused_names(lowering);
+    return Lowered{std::move(lowering.field), in_order(std::move(lowering.warnings))};
 }
 
 base::Result<Lowered> understand(std::string_view text) {

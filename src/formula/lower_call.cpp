@@ -68,14 +68,12 @@ Value call_primitive(Lowering& lowering, const Call& call, const field::Primitiv
 
 /// A name in front of a bracket that cannot be called.
 void report_no_function(Lowering& lowering, const Call& call, const Value& value) {
-    const auto binding = lowering.names.find(call.function);
-    if (binding != lowering.names.end() && is_callable(call.function)) {
-        lowering.error(
-            call.name,
-            fmt::format("'{}' is not a function here; line {} gives the name another "
-                        "meaning, choose another one there",
-                        call.function,
-                        base::line_column(lowering.text, binding->second.span.begin).line));
+    const Binding* binding = find_binding(lowering.scope, call.function);
+    if (binding && is_callable(call.function)) {
+        lowering.error(call.name,
+                       fmt::format("'{}' is not a function here; line {} gives the name another "
+                                   "meaning, choose another one there",
+                                   call.function, lowering.line(binding->span)));
         return;
     }
     const bool number = std::holds_alternative<NodeId>(value);
@@ -87,7 +85,7 @@ void report_no_function(Lowering& lowering, const Call& call, const Value& value
 }  // namespace
 
 Value lower_call(Lowering& lowering, const Call& call) {
-    const bool defined = lowering.names.contains(call.function);
+    const bool defined = find_binding(lowering.scope, call.function);
     if (!defined && is_callable(call.function)) {
         if (const Function* function = find_function(call.function)) {
             return call_function(lowering, call, *function);

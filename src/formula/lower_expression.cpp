@@ -15,8 +15,8 @@ using graph::NodeId;
 using graph::Op;
 
 std::string_view describe(const Lowering& lowering, ExpressionId id, const Value& value) {
-    if (std::holds_alternative<TupleValue>(value)) return "a tuple";
-    if (std::holds_alternative<Comparison>(lowering.program[id].node)) return "a comparison";
+    if (std::holds_alternative<VectorValue>(value)) return "a tuple";
+    if (std::holds_alternative<Comparison>(lowering[id].node)) return "a comparison";
     return "a field";
 }
 
@@ -107,12 +107,12 @@ struct Visitor {
         return compare(lowering, it.relation, *left, *right);
     }
     Value operator()(const Tuple& it) const {
-        TupleValue tuple;
+        VectorValue tuple;
         for (const ExpressionId part : it.parts) {
             const auto number = as_number(lowering, part, "in a tuple");
-            if (number) tuple.parts.push_back(*number);
+            if (number) tuple.components.push_back(*number);
         }
-        if (tuple.parts.size() < it.parts.size()) return Nothing{};
+        if (tuple.components.size() < it.parts.size()) return Nothing{};
         return tuple;
     }
     Value operator()(const Intersection& it) const { return lower_intersection(lowering, it); }
@@ -125,8 +125,16 @@ struct Visitor {
 
 }  // namespace
 
+std::size_t Lowering::line(base::SourceSpan span) const {
+    return base::line_column(source->text, span.begin).line;
+}
+
 void Lowering::error(base::SourceSpan span, std::string message) {
     errors.push_back(base::error(span, std::move(message)));
+}
+
+void Lowering::warning(base::SourceSpan span, std::string message) {
+    warnings.push_back(base::warning(span, std::move(message)));
 }
 
 void check_size(Lowering& lowering, const Value& value, base::SourceSpan span) {
@@ -145,7 +153,7 @@ void check_size(Lowering& lowering, const Value& value, base::SourceSpan span) {
 
 Value lower_expression(Lowering& lowering, ExpressionId id) {
     if (lowering.too_large) return Nothing{};
-    const Expression& expression = lowering.program[id];
+    const Expression& expression = lowering[id];
     Value value = std::visit(Visitor{lowering, expression.span}, expression.node);
     if (lowering.too_large) return Nothing{};
     check_size(lowering, value, expression.span);
@@ -172,7 +180,7 @@ std::optional<FieldValue> as_field(Lowering& lowering, ExpressionId id) {
         const field::Formula sheet{*number, field::Metric::scalar, field::Kind::sheet};
         return FieldValue{lowering.field.add(sheet), 1};
     }
-    if (std::holds_alternative<TupleValue>(value)) {
+    if (std::holds_alternative<VectorValue>(value)) {
         lowering.error(lowering.span(id), "a tuple is no field; write an equation or a field");
     }
     return std::nullopt;

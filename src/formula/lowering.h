@@ -1,52 +1,71 @@
 // SPDX-License-Identifier: MIT
-// What the parts of lowering share: the values of expressions and the state of the work. Internal
-// to the library.
+// What the parts of lowering share: the state of the work, and its steps. Internal to the library.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
-#include <vector>
 
 #include "base/diagnostic.h"
 #include "field/field.h"
 #include "formula/ast.h"
 #include "formula/node_facts.h"
+#include "formula/scope.h"
+#include "formula/value.h"
 
 namespace formula {
 
-/// The value of an expression that has an error, or depends on one.
-struct Nothing {};
-struct TupleValue {
-    std::vector<graph::NodeId> parts;
+/// A text that is lowered: the user's, or one of the library's own definitions.
+struct Source {
+    const Program& program;
+    std::string_view text;
+    bool library = false;  ///< its places mean nothing to the user
 };
-struct FieldValue {
-    field::FieldId id{};
-    std::size_t objects = 1;  ///< leaves below, repeated ones too
-};
-using Value = std::variant<Nothing, graph::NodeId, TupleValue, FieldValue>;
 
-/// A name that the formula defines.
-struct Binding {
-    Value value;
-    base::SourceSpan span;  ///< of the name where it is defined
-    bool parameter = false;
-    bool used = false;
+/// A function whose body is being lowered.
+struct Frame {
+    const Frame* outer = nullptr;
+    std::string_view function;
+    const Source* caller = nullptr;
+    base::SourceSpan call;  ///< in the caller's text
 };
 
 struct Lowering {
-    const Program& program;
-    std::string_view text;
+    const Source* source;  ///< of the expressions that are being lowered
+    Scope* scope;          ///< of their names
+    const Frame* frame = nullptr;
     field::Field field{};
     base::Diagnostics errors{};
-    std::map<std::string, Binding, std::less<>> names{};
+    base::Diagnostics warnings{};
     NodeFacts facts{};
-    bool too_large = false;  ///< a limit is exceeded and reported; nothing more is built
+    std::size_t expressions = 0;  ///< lowered so far, those of functions at every call
+    std::size_t depth = 0;        ///< levels of expressions that are open, through calls
+    bool too_large = false;       ///< a limit is exceeded and reported; nothing more is built
+
+    const Expression& operator[](ExpressionId id) const { return source->program[id]; }
+    base::SourceSpan span(ExpressionId id) const { return source->program[id].span; }
+    /// The line, from 1, of a place in the text that is being lowered.
+    std::size_t line(base::SourceSpan span) const;
 
     void error(base::SourceSpan span, std::string message);
-    base::SourceSpan span(ExpressionId id) const { return program[id].span; }
+    void warning(base::SourceSpan span, std::string message);
+};
+
+/// A scope inside the one in use, for as long as it lives.
+class InnerScope {
+public:
+    explicit InnerScope(Lowering& lowering) : lowering_(lowering), names{lowering.scope} {
+        lowering.scope = &names;
+    }
+    ~InnerScope() { lowering_.scope = names.outer; }
+    InnerScope(const InnerScope&) = delete;
+    InnerScope& operator=(const InnerScope&) = delete;
+
+private:
+    Lowering& lowering_;
+
+public:
+    Scope names;
 };
 
 Value lower_expression(Lowering& lowering, ExpressionId id);

@@ -15,7 +15,7 @@ namespace {
 
 /// Where a later statement defines this name, if one does.
 std::optional<base::SourceSpan> defined_later(const Lowering& lowering, std::string_view name) {
-    for (const Statement& statement : lowering.program.statements) {
+    for (const Statement& statement : lowering.source->program.statements) {
         const bool same = std::visit([&](const auto& it) { return it.name == name; }, statement);
         if (same) return std::visit([](const auto& it) { return it.span; }, statement);
     }
@@ -42,7 +42,7 @@ bool is_coordinate_and_number(std::string_view name) {
 
 /// True if the last line is `name = ...`: a definition that nothing follows.
 bool is_unfinished_definition(const Lowering& lowering, base::SourceSpan name) {
-    const auto* last = std::get_if<Comparison>(&lowering.program[lowering.program.result].node);
+    const auto* last = std::get_if<Comparison>(&lowering[lowering.source->program.result].node);
     return last && last->relation == Relation::equal && lowering.span(last->left) == name;
 }
 
@@ -55,7 +55,9 @@ std::string hint(const Lowering& lowering, std::string_view name, base::SourceSp
                            name.substr(1));
     }
     std::vector<std::string_view> candidates = built_in_names();
-    for (const auto& [known, binding] : lowering.names) candidates.push_back(known);
+    for (const Scope* scope = lowering.scope; scope; scope = scope->outer) {
+        for (const auto& [known, binding] : scope->names) candidates.push_back(known);
+    }
     const std::string_view meant = nearest(name, candidates);
     if (!meant.empty()) return fmt::format("; did you mean '{}'?", meant);
     if (is_unfinished_definition(lowering, span)) {
@@ -69,8 +71,8 @@ std::string hint(const Lowering& lowering, std::string_view name, base::SourceSp
 void report_unknown_name(Lowering& lowering, std::string_view name, base::SourceSpan span) {
     const std::optional<base::SourceSpan> later = defined_later(lowering, name);
     if (later) {
-        const std::size_t line = base::line_column(lowering.text, later->begin).line;
-        const bool own = line == base::line_column(lowering.text, span.begin).line;
+        const std::size_t line = lowering.line(*later);
+        const bool own = line == lowering.line(span);
         lowering.error(
             span, own ? fmt::format("'{}' is used in its own definition", name)
                       : fmt::format("'{}' is defined further down, on line {}; move that line up",
@@ -94,10 +96,9 @@ std::optional<graph::NodeId> built_in_number(Lowering& lowering, std::string_vie
 }
 
 Value lower_name(Lowering& lowering, std::string_view name, base::SourceSpan span) {
-    const auto found = lowering.names.find(name);
-    if (found != lowering.names.end()) {
-        found->second.used = true;
-        return found->second.value;
+    if (Binding* found = find_binding(lowering.scope, name)) {
+        found->used = true;
+        return found->value;
     }
     if (const std::optional<graph::NodeId> number = built_in_number(lowering, name)) {
         return *number;

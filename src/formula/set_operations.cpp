@@ -14,7 +14,7 @@ bool is_sheet(const Lowering& lowering, const FieldOperand& operand) {
 
 /// How to make a solid of the sheet that an expression describes.
 std::string_view solid_hint(const Lowering& lowering, ExpressionId id) {
-    const ExpressionNode& node = lowering.program[id].node;
+    const ExpressionNode& node = lowering[id].node;
     if (std::holds_alternative<Comparison>(node)) return "write '<=' instead of '='";
     return "write 'F <= 0' for the solid of a formula F";
 }
