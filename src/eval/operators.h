@@ -7,12 +7,14 @@
 
 #include "graph/operator.h"
 #include "numeric/interval.h"
+#include "numeric/jet_operators.h"
 #include "numeric/real.h"
 
 namespace eval {
 
 /// The operator's value; arguments beyond its arity are not looked at. Not for leaves (constant,
-/// variable, parameter). T is double or numeric::Interval.
+/// variable, parameter). T is double,
+/// numeric::Interval, or numeric::Jet over one of them.
 template <class T>
 T apply(graph::Op op, const T& a, const T& b, const T& c, const T& d) {
     // The table gives the arity as a number; each row picks its call.

@@ -133,15 +133,21 @@ Interval enclose(const graph::Graph& graph, graph::NodeId root, const std::array
     return evaluate_once<Interval>(graph, root, box, parameters);
 }
 
-template void load_parameters(const Tape&, std::span<const double>, std::vector<double>&);
-template void load_parameters(const Tape&, std::span<const Interval>, std::vector<Interval>&);
-template void evaluate_loaded(const Tape&, std::span<const double>, std::span<double>,
-                              std::vector<double>&);
-template void evaluate_loaded(const Tape&, std::span<const Interval>, std::span<Interval>,
-                              std::vector<Interval>&);
-template void evaluate(const Tape&, std::span<const double>, std::span<const double>,
-                       std::span<double>, std::vector<double>&);
-template void evaluate(const Tape&, std::span<const Interval>, std::span<const Interval>,
-                       std::span<Interval>, std::vector<Interval>&);
+#define ZEROSET_INSTANTIATE(T)                                                                     \
+    template void load_parameters(const Tape&, std::span<const T>, std::vector<T>&);               \
+    template void evaluate_loaded(const Tape&, std::span<const T>, std::span<T>, std::vector<T>&); \
+    template void evaluate(const Tape&, std::span<const T>, std::span<const T>, std::span<T>,      \
+                           std::vector<T>&);
+ZEROSET_INSTANTIATE(double)
+ZEROSET_INSTANTIATE(Interval)
+ZEROSET_INSTANTIATE(numeric::Dual<double>)
+ZEROSET_INSTANTIATE(numeric::SecondOrder<double>)
+ZEROSET_INSTANTIATE(numeric::Dual<Interval>)
+ZEROSET_INSTANTIATE(numeric::SecondOrder<Interval>)
+using RayJet = numeric::SecondOrder<double, 1>;
+using RayIntervalJet = numeric::SecondOrder<Interval, 1>;
+ZEROSET_INSTANTIATE(RayJet)
+ZEROSET_INSTANTIATE(RayIntervalJet)
+#undef ZEROSET_INSTANTIATE
 
 }  // namespace eval

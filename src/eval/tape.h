@@ -40,7 +40,8 @@ Tape make_tape(const graph::Graph& graph, std::span<const graph::NodeId> roots);
 
 /// Fills the registers that depend on no variable; to be done once for all points of a frame.
 /// `parameters` is indexed by ParameterId and has a value for each that the tape needs. The
-/// registers are resized as needed. T is double or numeric::Interval here and below.
+/// registers are resized as needed. T is, here and below, double, numeric::Interval, or a jet over
+/// one of them: Dual<T>, SecondOrder<T> and SecondOrder<T, 1> of numeric/jet.h.
 template <class T>
 void load_parameters(const Tape& tape, std::span<const T> parameters, std::vector<T>& registers);
 

@@ -59,6 +59,11 @@ Interval mul(const Interval& a, const Interval& b);
 /// only 0. Signed zeros are not
 /// told apart, so that x / -0, an infinity of the other side, is covered by `partial` only.
 Interval div(const Interval& a, const Interval& b);
+inline Interval operator-(const Interval& a) { return neg(a); }
+inline Interval operator+(const Interval& a, const Interval& b) { return add(a, b); }
+inline Interval operator-(const Interval& a, const Interval& b) { return sub(a, b); }
+inline Interval operator*(const Interval& a, const Interval& b) { return mul(a, b); }
+inline Interval operator/(const Interval& a, const Interval& b) { return div(a, b); }
 /// a * a for the same a: never negative.
 Interval square(const Interval& a);
 /// Where b is a single whole number the power with its own monotone pieces; else negative bases are
