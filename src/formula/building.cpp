@@ -9,6 +9,7 @@
 #include "formula/limits.h"
 #include "formula/number.h"
 #include "formula/tokens.h"
+#include "formula/words.h"
 
 namespace formula {
 namespace {
@@ -41,15 +42,19 @@ Place word_end(Place first, Place last) { return first + name_length(between(fir
 
 Place name_end(const Building& building, Place first, Place last) {
     const Place end = word_end(first, last);
-    const std::string_view word = between(first, end);
-    const bool keyword = word == "in" || (word == "step" && !opens_bracket(end, last));
-    return building.in_parameter && keyword ? first : end;
+    const bool called = opens_bracket(end, last);
+    return is_name(building.within, between(first, end), called) ? end : first;
 }
 
-Place label_end(Place first, Place last) {
-    if (first == last || *first != '"') return first;
-    const Place quote = std::find(first + 1, last, '"');
-    return quote == last ? first : quote + 1;
+void check_components(std::string_view letters, base::SourceSpan span, base::Diagnostics& errors) {
+    const std::size_t wrong = letters.find_first_not_of("xyzw");
+    if (wrong != std::string_view::npos) {
+        errors.push_back(base::error(
+            span, fmt::format("'{}' is no component; the components are x, y, z and w", letters)));
+    } else if (letters.size() > 4) {
+        errors.push_back(
+            base::error(span, "a vector has at most 4 components; write at most 4 letters"));
+    }
 }
 
 bool opens_bracket(Place first, Place last) {
@@ -57,11 +62,20 @@ bool opens_bracket(Place first, Place last) {
     return first != last && *first == '(';
 }
 
+bool selects_components(const Building&, Place first, Place last) {
+    return first != last && *first == '.' && number_end(first, last) == first;
+}
+
 bool implies_product(const Building& building, Place first, Place last) {
     const bool after_bracket = first != building.text && first[-1] == ')';
     if (!after_bracket && first != building.number_end) return false;
     const Place next = skip_blanks(first, last);
-    if (opens_bracket(next, last) || name_end(building, next, last) != next) return true;
+    if (opens_bracket(next, last)) return true;
+    const Place end = name_end(building, next, last);
+    if (end != next) {
+        const bool apart = next != first && !opens_bracket(end, last);
+        return !apart || !resembles_modifier(building.within, between(next, end));
+    }
     return after_bracket && number_end(next, last) != next;
 }
 

@@ -41,7 +41,6 @@ constexpr LookAlike foreign[] = {
     {U'%', "'mod(a, b)'"},
     {U'{', "'('"},
     {U'}', "')'"},
-    {U';', "each definition on a line of its own"},
     {U'!', "a comparison with '=', '<=' or '>='"},
     {U'~', "'complement(F)'"},
     {U'\'', "no quote"},
@@ -77,7 +76,7 @@ bool is_control(char32_t code) {
 }
 
 bool is_used(char32_t code) {
-    constexpr std::string_view signs = " \t\r\n_.+-*/^()[],=<>&|\\#\"";
+    constexpr std::string_view signs = " \t\r\n_.+-*/^()[],:;=<>&|\\#\"";
     const bool letter = (code >= U'a' && code <= U'z') || (code >= U'A' && code <= U'Z');
     const bool digit = code >= U'0' && code <= U'9';
     return letter || digit ||

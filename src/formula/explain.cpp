@@ -12,6 +12,8 @@
 namespace formula {
 namespace {
 
+using Kind = StatementText::Kind;
+
 /// What stands around the place of an error.
 struct Scene {
     std::string_view text;
@@ -23,7 +25,7 @@ struct Scene {
     std::string_view next() const {
         return after.empty() ? std::string_view() : after[0].text(text);
     }
-    bool in_parameter() const { return statement.kind == StatementText::Kind::parameter; }
+    bool in(StatementText::Kind kind) const { return statement.kind == kind; }
 };
 
 bool ends_operand(const Scene& scene) {
@@ -46,8 +48,10 @@ std::string expected_expression(const Scene& scene) {
                               : fmt::format("expected an expression before '{}'", scene.next());
     if (scene.last() == "|" || scene.next() == "|") {
         message += "; '|' is a union, write abs(x) for an absolute value";
-    } else if (scene.after.empty() && scene.statement.kind == StatementText::Kind::definition) {
+    } else if (scene.after.empty() && scene.in(Kind::definition)) {
         message += "; a definition ends with its line";
+    } else if (scene.after.empty() && scene.in(Kind::assignment)) {
+        message += "; an assignment ends with its line";
     }
     return message;
 }
@@ -64,14 +68,8 @@ std::string_view next_word(const Scene& scene) {
 
 /// `complete`: all that is open could have ended here.
 std::string two_operands(const Scene& scene, bool complete) {
-    if (scene.in_parameter() && (scene.next() == "in" || scene.next() == "step")) {
-        return fmt::format(
-            "'{}' is out of place; a parameter is written 'param a = 0.5 in [0, 2] "
-            "step 0.1 \"label\"'",
-            scene.next());
-    }
     if (scene.after[0].starts_line) {
-        if (complete && looks_like_definition(scene.text, scene.after)) {
+        if (complete && definition_front(scene.text, scene.after)) {
             return fmt::format(
                 "the expression has ended above; move the definition of '{}' up, or "
                 "join two fields with '|' or '&'",
@@ -80,10 +78,17 @@ std::string two_operands(const Scene& scene, bool complete) {
         if (complete && scene.next() == "param") {
             return "the expression has ended above; move the parameter up";
         }
+        if (complete && scene.in(Kind::result) &&
+            definition_front(scene.text, scene.statement.tokens)) {
+            return "a definition ends with its line; put brackets around a longer value";
+        }
         return fmt::format(
             "no operator between '{}' and '{}'; a product does not cross the end of "
             "a line, write '*'",
             scene.last(), scene.next());
+    }
+    if (scene.last() == "iterate") {
+        return "an iteration stands alone; give it a name in a definition and use that";
     }
     if (scene.before->kind == Token::Kind::name && is_callable(scene.last())) {
         return fmt::format("'{0}' needs its argument in brackets; write '{0}({1})'", scene.last(),
@@ -93,13 +98,21 @@ std::string two_operands(const Scene& scene, bool complete) {
                        scene.last(), scene.next());
 }
 
+std::string unexpected_in_assignment(std::string_view next) {
+    if (next == "=") return "an assignment has one '='; put ';' or a new line before the next one";
+    if (is_relation(next)) return "a comparison is no value; choose between values with 'if'";
+    if (next == "|" || next == "&" || next == "\\") {
+        return "fields cannot be joined in an iteration; join its result";
+    }
+    return fmt::format("unexpected '{}'; an assignment ends with ';' or its line", next);
+}
+
 std::string unexpected(const Scene& scene) {
     const std::string_view next = scene.next();
-    if (scene.in_parameter()) {
-        if (next == "[") return "expected 'in' before the range; write 'in [minimum, maximum]'";
+    if (scene.in(Kind::assignment)) return unexpected_in_assignment(next);
+    if (scene.in(Kind::iteration_head) && !is_relation(next)) {
         return fmt::format(
-            "unexpected '{}'; a parameter is written 'param a = 0.5 in [0, 2] step "
-            "0.1 \"label\"'",
+            "unexpected '{}'; an iteration begins like 'iterate q = p for 12 until length(q) > 4:'",
             next);
     }
     if (is_relation(next)) return "comparisons cannot be chained; join two with '&'";
@@ -108,13 +121,18 @@ std::string unexpected(const Scene& scene) {
     if (scene.after[0].kind == Token::Kind::label) {
         return "a label stands only at the end of a parameter's line";
     }
+    if (next == ";") return "a ';' stands only in an iteration; write each definition on its line";
+    if (next == ":") return "a ':' stands only before the body of an iteration";
+    if (next == ".") return "a '.' before letters stands only next to a name or a ')'";
     return fmt::format("unexpected '{}'", next);
 }
 
 std::string describe(const Scene& scene, std::string_view expected) {
     const bool expects_sign = expected.starts_with('\'') && expected != "')'";
     if (expects_sign) return fmt::format("expected {} after '{}'", expected, scene.last());
-    if (expected == "name") return fmt::format("expected a name after '{}'", scene.last());
+    if (expected == "component") {
+        return "expected a component after '.', as in 'p.x'";
+    }
     if (expected == "expression" || !ends_operand(scene)) return expected_expression(scene);
     if (starts_operand(scene)) return two_operands(scene, expected == "end");
     return unexpected(scene);

@@ -81,20 +81,15 @@ const TokenParser number_token([](const Building&, Place first, Place last) {
 const TokenParser name_token([](const Building& building, Place first, Place last) {
     return name_end(building, first, last);
 });
-const TokenParser label_token([](const Building&, Place first, Place last) {
-    return label_end(first, last);
+const TokenParser word_token([](const Building&, Place first, Place last) {
+    return word_end(first, last);
 });
-auto keyword(std::string_view word) {
-    return TokenParser([word](const Building&, Place first, Place last) {
-        const Place end = word_end(first, last);
-        return between(first, end) == word ? end : first;
-    });
-}
 
 const Condition call_follows([](const Building&, Place first, Place last) {
     return opens_bracket(first, last);
 });
 const Condition product_is_implied(implies_product);
+const Condition components_follow(selects_components);
 
 using Operands = std::vector<Operand>;
 using Expressions = std::vector<ExpressionId>;
@@ -110,7 +105,7 @@ struct Called {
 
 // Sets the span of what was just built. Rules whose parts have actions get no attribute here, so
 // each of these is a rule of its own around the rule that builds.
-struct primary_tag {
+struct spanned {
     template <class Context>
     void on_success(Place first, Place last, ExpressionId& id, const Context& context) {
         Building& state = building(context);
@@ -121,6 +116,8 @@ struct primary_tag {
         if (std::holds_alternative<Number>(expression.node)) state.number_end = last;
     }
 };
+struct primary_tag : spanned {};
+struct operand_tag : spanned {};
 struct signed_tag {
     template <class Context>
     void on_success(Place first, Place last, Signed& value, const Context& context) {
@@ -144,6 +141,8 @@ const x3::rule<signed_tag, Signed> signed_primary = "expression";
 const x3::rule<struct signed_parts_tag, Signed> signed_parts = "expression";
 const x3::rule<primary_tag, ExpressionId> primary = "expression";
 const x3::rule<struct primary_parts_tag, ExpressionId> primary_parts = "expression";
+const x3::rule<operand_tag, ExpressionId> operand = "expression";
+const x3::rule<struct operand_parts_tag, ExpressionId> operand_parts = "expression";
 const x3::rule<struct called_tag, Called> called = "expression";
 const x3::rule<struct arguments_tag, Expressions> arguments = "arguments";
 const x3::rule<struct bracketed_tag, Expressions> bracketed = "expression";
@@ -235,6 +234,18 @@ const auto make_bracketed = [](auto& context) {
         inside.size() == 1 ? inside.front() : building(context).add(Tuple{std::move(inside)}, {});
 };
 
+/// Takes components from what the rule has built.
+const auto select_components = [](auto& context) {
+    Building& state = building(context);
+    const std::string_view letters = x3::_attr(context);
+    const base::SourceSpan span = state.span(letters.data(), letters.data() + letters.size());
+    check_components(letters, span, state.errors);
+    const ExpressionId operand = x3::_val(context);
+    const base::SourceSpan whole = base::cover(state.program[operand].span, span);
+    x3::_val(context) = state.add(Component{operand, std::string(letters), span}, whole);
+};
+
+const auto components = x3::rule<struct components_tag, std::string_view>{"component"} = word_token;
 const auto closing = x3::rule<struct closing_tag>{"')'"} = x3::lit(')');
 
 const auto expression_def = union_chain[collect<Union>()];
@@ -265,58 +276,36 @@ const auto signed_parts_def =
     primary[set_operand] | (+(x3::lit('-')[flip_sign] | '+') > primary[set_operand]);
 const auto primary_def = primary_parts;
 const auto primary_parts_def =
-    number_token[make_number] | called[make_called] | bracketed[make_bracketed];
+    number_token[make_number] |
+    (operand[pass_on] >> *(components_follow >> x3::lexeme['.' > components[select_components]]));
+const auto operand_def = operand_parts;
+const auto operand_parts_def = called[make_called] | bracketed[make_bracketed];
 const auto called_def = name_token[set_name] >> -(call_follows >> arguments[set_arguments]);
 const auto arguments_def = '(' > -(expression[append] >> *(',' > expression[append])) > closing;
 const auto bracketed_def = '(' > expression[append] > *(',' > expression[append]) > closing;
 
 BOOST_SPIRIT_DEFINE(expression, union_chain, intersection, intersection_chain, comparison, sum,
                     sum_chain, product, product_chain, power, power_chain, signed_primary,
-                    signed_parts, primary, primary_parts, called, arguments, bracketed)
+                    signed_parts, primary, primary_parts, operand, operand_parts, called, arguments,
+                    bracketed)
 
 const auto blank_or_comment = x3::char_(" \t\r\n") | ('#' >> *(x3::char_ - '\n'));
 const auto end = x3::rule<struct end_tag>{"end"} = x3::eoi;
-const auto name = x3::rule<struct name_tag, std::string_view>{"name"} = name_token;
-const auto equals = x3::rule<struct equals_tag>{"'='"} = x3::lit('=');
-const auto comma = x3::rule<struct comma_tag>{"','"} = x3::lit(',');
-const auto range_start = x3::rule<struct range_start_tag>{"'['"} = x3::lit('[');
-const auto range_end = x3::rule<struct range_end_tag>{"']'"} = x3::lit(']');
 
-const auto set_parameter_name = [](auto& context) {
-    const std::string_view text = x3::_attr(context);
-    x3::_val(context).name = text;
-    x3::_val(context).span = building(context).span(text.data(), text.data() + text.size());
-};
-const auto set_initial = [](auto& context) { x3::_val(context).initial = x3::_attr(context); };
-const auto set_minimum = [](auto& context) { x3::_val(context).range = {x3::_attr(context), {}}; };
-const auto set_maximum = [](auto& context) { (*x3::_val(context).range)[1] = x3::_attr(context); };
-const auto set_step = [](auto& context) { x3::_val(context).step = x3::_attr(context); };
-const auto set_label = [](auto& context) {
-    const std::string_view quoted = x3::_attr(context);
-    x3::_val(context).label = quoted.substr(1, quoted.size() - 2);
-};
-
-const auto parameter = x3::rule<struct parameter_tag, ParameterDeclaration>{"parameter"} =
-    x3::omit[keyword("param")] > name[set_parameter_name] > equals > sum[set_initial] >
-    -(x3::omit[keyword("in")] > range_start > sum[set_minimum] > comma > sum[set_maximum] >
-      range_end) > -(x3::omit[keyword("step")] > sum[set_step]) > -label_token[set_label];
-
-template <class Parser, class Attribute>
-Parsed<Attribute> run(const Parser& parser, std::string_view text, base::SourceSpan span,
-                      Building& state) {
-    Place first = text.data() + span.begin;
-    const Place last = text.data() + span.end;
-    Attribute attribute{};
+/// Parses from `first` on, which becomes the place behind what fits.
+template <class Parser>
+Parsed<ExpressionId> run(const Parser& parser, Place& first, Place last, Building& state) {
+    const auto place = [&](Place at) { return static_cast<std::uint32_t>(at - state.text); };
+    ExpressionId id{};
     try {
-        if (x3::phrase_parse(first, last, x3::with<building_tag>(state)[parser > end],
-                             blank_or_comment, attribute)) {
-            return attribute;
+        if (x3::phrase_parse(first, last, x3::with<building_tag>(state)[parser], blank_or_comment,
+                             id)) {
+            return id;
         }
     } catch (const x3::expectation_failure<Place>& failure) {
-        return SyntaxError{static_cast<std::uint32_t>(failure.where() - text.data()),
-                           failure.which()};
+        return SyntaxError{place(failure.where()), failure.which()};
     }
-    return SyntaxError{span.begin, "expression"};
+    return SyntaxError{place(first), "expression"};
 }
 
 }  // namespace
@@ -324,13 +313,17 @@ Parsed<Attribute> run(const Parser& parser, std::string_view text, base::SourceS
 Parsed<ExpressionId> parse_expression(std::string_view text, base::SourceSpan span,
                                       Program& program, base::Diagnostics& errors) {
     Building state{text.data(), program, errors};
-    return run<decltype(expression), ExpressionId>(expression, text, span, state);
+    Place first = text.data() + span.begin;
+    return run(expression > end, first, text.data() + span.end, state);
 }
 
-Parsed<ParameterDeclaration> parse_parameter(std::string_view text, base::SourceSpan span,
-                                             Program& program, base::Diagnostics& errors) {
-    Building state{text.data(), program, errors, true};
-    return run<decltype(parameter), ParameterDeclaration>(parameter, text, span, state);
+Parsed<Front> parse_sum(std::string_view text, base::SourceSpan span, Within within,
+                        Program& program, base::Diagnostics& errors) {
+    Building state{text.data(), program, errors, within};
+    Place first = text.data() + span.begin;
+    Parsed<ExpressionId> parsed = run(sum, first, text.data() + span.end, state);
+    if (auto* failure = std::get_if<SyntaxError>(&parsed)) return std::move(*failure);
+    return Front{std::get<ExpressionId>(parsed), state.span(first, first).end};
 }
 
 }  // namespace formula

@@ -9,11 +9,12 @@
 
 #include "base/diagnostic.h"
 #include "formula/ast.h"
+#include "formula/words.h"
 
 namespace formula {
 
-/// Where a text leaves the grammar. `expected` is what had to stand there: "expression", "name", a
-/// sign in quotes, or "end".
+/// Where a text leaves the grammar. `expected` is what had to stand there: "expression",
+/// "component", a sign in quotes, or "end".
 struct SyntaxError {
     std::uint32_t place = 0;
     std::string expected;
@@ -27,8 +28,15 @@ using Parsed = std::variant<T, SyntaxError>;
 Parsed<ExpressionId> parse_expression(std::string_view text, base::SourceSpan span,
                                       Program& program, base::Diagnostics& errors);
 
-/// Parses `param name = ...`. In its expressions `in` and `step` without brackets are no names.
-Parsed<ParameterDeclaration> parse_parameter(std::string_view text, base::SourceSpan span,
-                                             Program& program, base::Diagnostics& errors);
+/// An expression at the front of a text.
+struct Front {
+    ExpressionId expression{};
+    std::uint32_t end = 0;  ///< the place in the text behind it
+};
+
+/// Parses as much of the span from its beginning as is one sum: an expression that compares and
+/// joins nothing outside of brackets. What `within` calls a keyword ends it.
+Parsed<Front> parse_sum(std::string_view text, base::SourceSpan span, Within within,
+                        Program& program, base::Diagnostics& errors);
 
 }  // namespace formula

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <utility>
 
 #include "formula/characters.h"
@@ -11,6 +12,7 @@
 #include "formula/limits.h"
 #include "formula/report.h"
 #include "formula/statements.h"
+#include "formula/token_stream.h"
 
 namespace formula {
 namespace {
@@ -21,32 +23,39 @@ struct Reader {
     Program program;
     base::Diagnostics errors;
 
-    /// What was parsed; nothing if the grammar or the actions found an error.
-    template <class T, class Parse>
-    std::optional<T> accept(const StatementText& statement, base::SourceSpan span, Parse parse) {
-        const std::size_t errors_before = errors.size();
-        Parsed<T> parsed = parse(text, span, program, errors);
-        if (const auto* failure = std::get_if<SyntaxError>(&parsed)) {
-            errors.push_back(explain(text, statement, *failure));
-        }
-        if (errors.size() > errors_before) return std::nullopt;
-        return std::get<T>(std::move(parsed));
+    TokenStream stream(const StatementText& statement) {
+        return {text, program, errors, statement};
     }
 
-    ExpressionId expression(const StatementText& statement, base::SourceSpan span) {
-        const auto id = accept<ExpressionId>(statement, span, parse_expression);
-        return id ? *id : program.add(Broken{}, span);
+    /// Reads what is left of a statement as its value.
+    ExpressionId value(TokenStream& stream) {
+        if (looks_like_iteration(text, stream.rest)) return read_iteration(stream);
+        const std::uint32_t begin = stream.before ? stream.before->span.end : stream.here().begin;
+        const base::SourceSpan span{begin, stream.statement.span().end};
+        const std::size_t errors_before = errors.size();
+        const Parsed<ExpressionId> parsed = parse_expression(text, span, program, errors);
+        if (const auto* failure = std::get_if<SyntaxError>(&parsed)) {
+            errors.push_back(explain(text, stream.statement, *failure));
+        }
+        if (errors.size() > errors_before) return program.add(Broken{}, span);
+        return std::get<ExpressionId>(parsed);
     }
 
     void add_definition(const StatementText& statement) {
-        const Token& name = statement.tokens[0];
-        const base::SourceSpan value{statement.tokens[1].span.end, statement.span().end};
-        const ExpressionId id = expression(statement, value);
-        program.statements.push_back(Definition{std::string(name.text(text)), name.span, id});
+        TokenStream rest = stream(statement);
+        const Token& name = rest.take();
+        Definition definition{std::string(name.text(text)), name.span, {}, std::nullopt};
+        const bool function = rest.at("(");
+        if (function) definition.parameters = read_function_parameters(rest);
+        const bool good = !function || definition.parameters;
+        definition.value =
+            good && rest.expect("=") ? value(rest) : program.add(Broken{}, statement.span());
+        program.statements.push_back(std::move(definition));
     }
 
     void add_parameter(const StatementText& statement) {
-        auto parameter = accept<ParameterDeclaration>(statement, statement.span(), parse_parameter);
+        TokenStream rest = stream(statement);
+        auto parameter = read_parameter(rest);
         if (!parameter) {
             parameter.emplace();
             if (statement.tokens.size() > 1 && statement.tokens[1].kind == Token::Kind::name) {
@@ -66,8 +75,14 @@ struct Reader {
             case StatementText::Kind::parameter:
                 add_parameter(statement);
                 break;
-            case StatementText::Kind::result:
-                program.result = expression(statement, statement.span());
+            case StatementText::Kind::result: {
+                TokenStream rest = stream(statement);
+                program.result = value(rest);
+                break;
+            }
+            case StatementText::Kind::iteration_head:
+            case StatementText::Kind::assignment:
+                assert(false);
                 break;
         }
     }

@@ -77,6 +77,32 @@ const std::vector<Operand>* operands(const ExpressionNode& node) {
 }
 
 void print(const Program& program, ExpressionId id, std::size_t depth, std::string_view prefix,
+           std::string& out);
+
+/// A heading, and the expression below it.
+void print_part(const Program& program, ExpressionId id, std::size_t depth,
+                std::string_view heading, std::string& out) {
+    out.append(2 * depth, ' ');
+    out += heading;
+    out += '\n';
+    print(program, id, depth + 1, "", out);
+}
+
+void print_parts(const Program& program, const Iterate& iterate, std::size_t depth,
+                 std::string& out) {
+    for (const Assignment& it : iterate.state) {
+        print_part(program, it.value, depth, "state " + it.name, out);
+    }
+    print_part(program, iterate.limit, depth, "for", out);
+    if (iterate.until) print_part(program, *iterate.until, depth, "until", out);
+    for (const Assignment& it : iterate.body) {
+        print_part(program, it.value, depth, "set " + it.name, out);
+    }
+    if (iterate.distance) print_part(program, *iterate.distance, depth, "distance", out);
+    if (iterate.colour) print_part(program, *iterate.colour, depth, "colour", out);
+}
+
+void print(const Program& program, ExpressionId id, std::size_t depth, std::string_view prefix,
            std::string& out) {
     const ExpressionNode& node = program[id].node;
     out.append(2 * depth, ' ');
@@ -89,26 +115,66 @@ void print(const Program& program, ExpressionId id, std::size_t depth, std::stri
         }
         return;
     }
+    if (const auto* iterate = std::get_if<Iterate>(&node)) {
+        print_parts(program, *iterate, depth + 1, out);
+        return;
+    }
     for (const ExpressionId part : parts(node)) print(program, part, depth + 1, "", out);
 }
 
+std::string_view word(ParameterType type) {
+    switch (type) {
+        case ParameterType::real:
+            return "real";
+        case ParameterType::integer:
+            return "integer";
+        case ParameterType::logarithmic:
+            return "logarithmic";
+        case ParameterType::angle:
+            return "angle";
+        case ParameterType::colour:
+            return "colour";
+        case ParameterType::choice:
+            return "choice";
+        case ParameterType::toggle:
+            return "toggle";
+    }
+    return "";
+}
+
+void print_text(std::string_view heading, const std::optional<std::string>& text,
+                std::string& out) {
+    if (text) out += fmt::format("  {} \"{}\"\n", heading, *text);
+}
+
 void print(const Program& program, const ParameterDeclaration& parameter, std::string& out) {
-    out += fmt::format("param {}\n  initial\n", parameter.name);
-    print(program, parameter.initial, 2, "", out);
+    out += fmt::format("param {}\n", parameter.name);
+    if (parameter.type != ParameterType::real) {
+        out += fmt::format("  type {}\n", word(parameter.type));
+    }
+    print_part(program, parameter.initial, 1, "initial", out);
+    for (const std::string& it : parameter.choices) print_text("choice", it, out);
     if (parameter.range) {
         out += "  range\n";
         for (const ExpressionId end : *parameter.range) print(program, end, 2, "", out);
     }
-    if (parameter.step) {
-        out += "  step\n";
-        print(program, *parameter.step, 2, "", out);
-    }
-    if (parameter.label) out += fmt::format("  label \"{}\"\n", *parameter.label);
+    if (parameter.step) print_part(program, *parameter.step, 1, "step", out);
+    print_text("label", parameter.label, out);
+    print_text("group", parameter.group, out);
+    print_text("tooltip", parameter.tooltip, out);
 }
 
 void print(const Program& program, const Definition& definition, std::string& out) {
     out += fmt::format("define {}\n", definition.name);
-    print(program, definition.value, 1, "", out);
+    if (!definition.parameters) {
+        print(program, definition.value, 1, "", out);
+        return;
+    }
+    for (const FunctionParameter& it : *definition.parameters) {
+        out += fmt::format("  parameter {}\n", it.name);
+        if (it.initial) print(program, *it.initial, 2, "", out);
+    }
+    print_part(program, definition.value, 1, "value", out);
 }
 
 }  // namespace

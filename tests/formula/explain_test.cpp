@@ -95,11 +95,7 @@ TEST(Explain, says_how_a_parameter_is_written) {
     check("param a = 1 in [0, 1, 2]\nx", "1:21: expected ']' after '1'");
     check("param a = 1 in [0, 2] step\nx", "1:27: expected an expression after 'step'");
     check("param a = 1 step 0.1 in [0, 2]\nx",
-          "1:22: 'in' is out of place; a parameter is written 'param a = 0.5 in [0, 2] step 0.1 "
-          "\"label\"'");
-    check("param a = 1 \"b\" step 1\nx",
-          "1:17: 'step' is out of place; a parameter is written 'param a = 0.5 in [0, 2] step 0.1 "
-          "\"label\"'");
+          "1:22: 'in' is out of place; the range stands next to the value");
     check("param a = 1 <= 2\nx",
           "1:13: unexpected '<='; a parameter is written 'param a = 0.5 in [0, 2] step 0.1 "
           "\"label\"'");

@@ -24,6 +24,10 @@ std::string statements_of(std::string_view text) {
             case StatementText::Kind::result:
                 list += "result: ";
                 break;
+            case StatementText::Kind::iteration_head:
+            case StatementText::Kind::assignment:
+                list += "no statement: ";
+                break;
         }
         list += text.substr(it.span().begin, it.span().end - it.span().begin);
     }

@@ -17,15 +17,25 @@
 
 namespace formula {
 
-/// `LINE:COLUMN: MESSAGE` of each error, a line each; empty if the formula is good.
-inline std::string errors_of(std::string_view text) {
+/// `LINE:COLUMN: MESSAGE` of each of them, a line each.
+inline std::string list_of(std::string_view text, const base::Diagnostics& diagnostics) {
     std::string list;
-    for (const base::Diagnostic& it : understand(text).problems()) {
+    for (const base::Diagnostic& it : diagnostics) {
         const base::LineColumn place = base::line_column(text, it.span->begin);
         if (!list.empty()) list += '\n';
         list += std::to_string(place.line) + ':' + std::to_string(place.column) + ": " + it.message;
     }
     return list;
+}
+
+/// All errors of a formula; empty if it is good.
+inline std::string errors_of(std::string_view text) {
+    return list_of(text, understand(text).problems());
+}
+
+/// The errors of form alone.
+inline std::string syntax_errors_of(std::string_view text) {
+    return list_of(text, read(text).errors);
 }
 
 /// Everything as the command line shows it, warnings too.
@@ -60,6 +70,12 @@ inline std::string on_one_line(std::string_view printed) {
 inline std::string tree_of(std::string_view text) {
     const base::Result<Program> program = parse(text);
     return program ? on_one_line(print_ast(*program, program->result)) : errors_of(text);
+}
+
+/// The tree of the whole program, or the errors of form.
+inline std::string program_of(std::string_view text) {
+    const base::Result<Program> program = parse(text);
+    return program ? on_one_line(print_ast(*program)) : syntax_errors_of(text);
 }
 
 /// The value of the whole field at a point, with all parameters at their initial values.
