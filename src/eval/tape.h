@@ -14,12 +14,15 @@
 
 namespace eval {
 
-/// A straight-line program. Its registers are, in this order: the constants, the parameters, the
-/// variables that the roots need, and one result for each instruction. Instructions that depend on
-/// no variable come first. Made by make_tape; independent of its graph afterwards.
+/// A straight-line program over registers. The first `uniform_count` registers hold what is the
+/// same for all points: the constants, the parameters, and the results of those instructions that
+/// depend on no variable. The others hold the variables that the roots need, at first, and then
+/// results; each is used again as soon as its content is needed no more (linear-scan allocation),
+/// so that the working set stays small. Made by make_tape; independent of its graph afterwards.
 struct Tape {
     struct Instruction {
         graph::Op op{};
+        std::uint32_t result = 0;                                 ///< a register
         std::array<std::uint32_t, graph::max_arity> arguments{};  ///< registers; unused ones are 0
     };
 
@@ -27,15 +30,15 @@ struct Tape {
     std::vector<graph::ParameterId> parameters;
     std::vector<graph::VariableId> variables;
     std::vector<Instruction> instructions;
-    std::size_t independent = 0;       ///< so many instructions depend on no variable
+    std::size_t independent = 0;  ///< so many instructions, the first ones, depend on no variable
+    std::size_t register_count = 0;
     std::vector<std::uint32_t> roots;  ///< registers
 
-    std::size_t first_result() const {
-        return constants.size() + parameters.size() + variables.size();
-    }
-    std::size_t register_count() const { return first_result() + instructions.size(); }
+    std::size_t uniform_count() const { return constants.size() + parameters.size() + independent; }
 };
 
+/// Takes time in proportion to what the roots need, however large the graph is. Arguments come
+/// before their users, each as late as the order of the roots allows (depth first).
 Tape make_tape(const graph::Graph& graph, std::span<const graph::NodeId> roots);
 
 /// Fills the registers that depend on no variable; to be done once for all points of a frame.

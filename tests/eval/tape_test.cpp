@@ -132,6 +132,27 @@ TEST(Tape, holds_only_what_its_roots_need) {
     EXPECT_EQ(tape.independent, 1u) << "p + 1 is worked out once for all points";
 }
 
+TEST(Tape, uses_registers_again_whose_content_is_needed_no_more) {
+    graph::Graph g;
+    const Expr x(g, g.variable(graph::variable_x)), y(g, g.variable(graph::variable_y));
+    Expr root = x;
+    for (int i = 0; i < 100; ++i) root = sin(root * y);
+    const Tape tape = make_tape(g, std::array{root.id});
+    EXPECT_EQ(tape.instructions.size(), 200u);
+    EXPECT_LE(tape.register_count, 3u);
+}
+
+TEST(Tape, keeps_every_root_until_the_end) {
+    graph::Graph g;
+    const Expr x(g, g.variable(graph::variable_x));
+    const Expr first = x + 1.0, second = first * 2.0, third = second - x;
+    const Tape tape = make_tape(g, std::array{x.id, first.id, third.id, second.id, first.id});
+    std::array<double, 5> roots{};
+    std::vector<double> scratch;
+    evaluate<double>(tape, std::array{3.0}, std::array{0.0}, roots, scratch);
+    EXPECT_EQ(roots, (std::array{3.0, 4.0, 5.0, 8.0, 4.0}));
+}
+
 TEST(Tape, keeps_loaded_parameters_for_many_points) {
     graph::Graph g;
     const Expr x(g, g.variable(graph::variable_x));
