@@ -25,6 +25,7 @@ struct Source {
     std::string text;
     std::vector<std::uint32_t>
         places;  ///< of each byte of the formula in the text; empty: the same
+    scene::ParameterPlaces parameters{};
 
     base::Diagnostics in_text(base::Diagnostics problems) const {
         if (places.empty()) return problems;
@@ -63,7 +64,8 @@ bool read_document(const InputOptions& options, Source& source, scene::Document&
         return false;
     }
     print_all(preset->warnings, path->string(), *text);
-    source = {path->string(), *text, std::move(preset->formula_places)};
+    source = {path->string(), *text, std::move(preset->formula_places),
+              std::move(preset->parameter_places)};
     document = std::move(preset->document);
     return true;
 }
@@ -96,6 +98,10 @@ std::optional<Input> read_input(const InputOptions& options) {
         return std::nullopt;
     }
     print_all(source.in_text(formula->warnings), source.name, source.text);
+    const auto problems =
+        compile::check_parameters(formula->field, input.document.parameters, source.parameters);
+    print_all(problems, source.name, source.text);
+    if (base::has_errors(problems)) return std::nullopt;
     input.formula = std::move(*formula);
     return input;
 }

@@ -3,28 +3,24 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/number.h"
+#include "cli/set_parameter.h"
 #include "render/still.h"
 #include "shader/program_source.h"
 
 namespace cli {
 namespace {
 
-/// A finite number in the C locale; anything else is refused.
 double number(std::string_view text, std::string_view option) {
-    double value = 0;
-    const char* begin = text.starts_with('+') ? text.data() + 1 : text.data();
-    const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-        throw CLI::ValidationError(std::string(option),
-                                   fmt::format("'{}' is not a finite number", text));
-    }
-    return value;
+    const auto value = finite_number(text);
+    if (value) return *value;
+    throw CLI::ValidationError(std::string(option),
+                               fmt::format("'{}' is not a finite number", text));
 }
 
 std::vector<double> numbers(std::string_view text, std::string_view option) {
@@ -117,8 +113,7 @@ void parse_set(std::string_view text, RenderOptions& options) {
     if (equals == std::string_view::npos || equals == 0) {
         throw CLI::ValidationError("--set", fmt::format("'{}' should be NAME=VALUE", text));
     }
-    options.parameters.emplace_back(text.substr(0, equals),
-                                    number(text.substr(equals + 1), "--set"));
+    options.parameters.emplace_back(text.substr(0, equals), text.substr(equals + 1));
 }
 
 /// An option whose text goes through a function of ours.
@@ -211,7 +206,8 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
             [&options](const std::vector<std::string>& list) {
                 for (const std::string& text : list) parse_set(text, options);
             },
-            "A parameter of the formula, or t; repeatable")
+            "A parameter of the formula, or t; repeatable. A vector is c=0.1,0.2,0 or c.x=0.1, a "
+            "choice shape=round, a toggle cut=on")
         ->type_name("NAME=VALUE")
         ->expected(1)
         ->take_all();
@@ -235,19 +231,10 @@ bool apply(const RenderOptions& options, Input& input) {
     }
     scene::Document& d = input.document;
     for (const auto& [name, value] : options.parameters) {
-        const auto& known = input.formula.field.parameters;
-        if (std::ranges::find(known, name, &field::Parameter::name) != known.end()) {
-            d.parameters[name] = value;
-        } else if (name == "t") {
-            d.time = value;
-        } else {
-            std::string names;
-            for (const field::Parameter& p : known) names += (names.empty() ? "" : ", ") + p.name;
-            fmt::print(stderr,
-                       "zeroset: error: --set: the formula has no parameter '{}'; it has {}\n",
-                       name, names.empty() ? "none besides t" : names);
-            return false;
-        }
+        const auto status = set_parameter(input.formula.field, name, value, d);
+        if (status) continue;
+        fmt::print(stderr, "zeroset: error: --set: {}\n", status.problems()[0].message);
+        return false;
     }
     if (options.bounds) d.bounds = *options.bounds;
     if (options.tracer) d.settings.tracer = *options.tracer;

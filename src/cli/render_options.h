@@ -26,7 +26,7 @@ struct RenderOptions {
     std::optional<glm::dvec3> eye, target, up;
     std::optional<double> fov;
     std::optional<scene::Bounds> bounds;
-    std::vector<std::pair<std::string, double>> parameters;
+    std::vector<std::pair<std::string, std::string>> parameters;  ///< name and value as typed
     std::optional<std::string> tracer;
     std::optional<int> steps;
     std::optional<double> lipschitz, shadow, epsilon;
@@ -42,7 +42,7 @@ struct RenderOptions {
 void add_render_options(CLI::App& command, RenderOptions& options);
 
 /// Puts the options over the document of an input and completes its camera. False, after a report,
-/// if a parameter is named that the formula does not have, or eye and target are one.
+/// if a parameter is unknown or its value does not suit it, or if eye and target are one.
 bool apply(const RenderOptions& options, Input& input);
 
 }  // namespace cli

@@ -100,17 +100,6 @@ shader::ProgramSource program_source(const Formula& formula, const scene::Docume
     return shader::program_source(formula.field, features);
 }
 
-std::vector<double> parameter_values(const field::Field& field, const scene::Document& document) {
-    std::vector<double> values(field.graph.parameter_count(), 0.0);
-    values[index(graph::parameter_t)] = document.time;
-    for (const field::Parameter& parameter : field.parameters) {
-        const auto moved = document.parameters.find(parameter.name);
-        values[index(parameter.id)] =
-            moved == document.parameters.end() ? parameter.initial : moved->second;
-    }
-    return values;
-}
-
 std::vector<float> field_values(const Formula& formula, const shader::ProgramSource& source,
                                 const scene::Document& document) {
     const std::vector<double> parameters = parameter_values(formula.field, document);

@@ -10,6 +10,7 @@
 
 #include "analysis/derivative_bounds.h"
 #include "base/result.h"
+#include "compile/parameter_values.h"
 #include "field/field.h"
 #include "scene/document.h"
 #include "shader/program_source.h"
@@ -31,10 +32,6 @@ base::Result<Formula> compile_formula(std::string_view text);
 /// on, never on a parameter's value. `outputs` says what is written per pixel.
 shader::ProgramSource program_source(const Formula& formula, const scene::Document& document,
                                      shader::Outputs outputs);
-
-/// Values of all of the graph's parameters: the time, then the sliders, from the document or else
-/// by default. Names in the document that the formula does not have are ignored.
-std::vector<double> parameter_values(const field::Field& field, const scene::Document& document);
 
 /// The numbers of one frame that come from the formula: hoisted expressions and bounds of
 /// derivatives, in the order of ProgramSource::field_values. Runs the analyses; milliseconds.

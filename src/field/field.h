@@ -6,11 +6,10 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <string>
 #include <variant>
 #include <vector>
 
-#include "base/source_span.h"
+#include "field/parameter.h"
 #include "graph/graph.h"
 
 namespace field {
@@ -72,18 +71,6 @@ struct SmoothUnion {
 };
 
 using Node = std::variant<Formula, Iteration, Union, Intersection, Complement, SmoothUnion>;
-
-/// A slider of the formula.
-struct Parameter {
-    std::string name;
-    std::string label;  ///< the name if none was given
-    double initial = 0;
-    double minimum = 0;
-    double maximum = 1;
-    std::optional<double> step;
-    graph::ParameterId id{};
-    base::SourceSpan span;
-};
 
 /// A whole shape: one graph for all leaves, the tree, the formula's parameters.
 struct Field {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/source_span.h"
+#include "field/parameter.h"
 
 namespace formula {
 
@@ -123,8 +124,7 @@ struct Definition {
     std::optional<std::vector<FunctionParameter>> parameters;  ///< of a function
 };
 
-/// How a parameter is shown and what it may be; `real` covers numbers and vectors.
-enum class ParameterType { real, integer, logarithmic, angle, colour, choice, toggle };
+using ParameterType = field::ParameterType;
 
 /// param name = initial in [minimum, maximum] step s angle "label" group "g" tooltip "t"
 struct ParameterDeclaration {

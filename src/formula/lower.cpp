@@ -33,14 +33,9 @@ void define(Lowering& lowering, const Definition& definition) {
 }
 
 void define(Lowering& lowering, const ParameterDeclaration& declaration) {
-    std::optional<field::Parameter> parameter = lower_parameter(lowering, declaration);
+    Value value = lower_parameter(lowering, declaration);
     if (declaration.name.empty()) return;
     if (!may_define(lowering, declaration.name, declaration.span)) return;
-    Value value;
-    if (parameter) {
-        value = lowering.field.graph.parameter(parameter->id);
-        lowering.field.parameters.push_back(*std::move(parameter));
-    }
     lowering.scope->set(declaration.name, std::move(value), declaration.span, Role::slider);
 }
 

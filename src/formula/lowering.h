@@ -82,9 +82,9 @@ Value lower_call(Lowering& lowering, const Call& call);
 Value lower_intersection(Lowering& lowering, const Intersection& chain);
 Value lower_union(Lowering& lowering, const Union& chain);
 
-/// A slider with its values checked and a parameter of the graph; nothing if there was an error.
-std::optional<field::Parameter> lower_parameter(Lowering& lowering,
-                                                const ParameterDeclaration& declaration);
+/// Adds a parameter, with its values checked, to the field; a number or a vector, or nothing if
+/// there was an error.
+Value lower_parameter(Lowering& lowering, const ParameterDeclaration& declaration);
 
 /// The number of a built-in name that may stand alone: a coordinate or a constant.
 std::optional<graph::NodeId> built_in_number(Lowering& lowering, std::string_view name);

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/camera.h"
+#include "scene/parameter_value.h"
 
 namespace scene {
 
@@ -65,9 +66,9 @@ struct Settings {
 struct Document {
     std::string title;
     std::string description;
-    std::string formula;                       ///< lines separated by '\n'
-    std::map<std::string, double> parameters;  ///< those moved away from the formula's defaults
-    double time = 0;                           ///< t in seconds
+    std::string formula;         ///< lines separated by '\n'
+    ParameterValues parameters;  ///< those moved away from the formula's defaults
+    double time = 0;             ///< t in seconds
     Bounds bounds;
     std::optional<Camera> camera;  ///< none: frame_all
     std::vector<Light> lights{Light{}};

@@ -17,12 +17,15 @@ namespace scene {
 /// The version that is written. Older ones are migrated on reading, newer ones are an error.
 inline constexpr int preset_version = 1;
 
-/// A preset as read, with what is needed to report places in its formula as places in the file.
+/// A preset as read, with what is needed to report problems of its formula and of its parameters at
+/// their places in the file.
 struct Preset {
     Document document;
     base::Diagnostics warnings;  ///< unknown fields; spans are bytes of the file's text
     /// For each byte of document.formula (and its end) the byte of the file that it stands at.
     std::vector<std::uint32_t> formula_places;
+    /// Whether the values suit the formula is not known here (compile::check_parameters).
+    ParameterPlaces parameter_places;
 };
 
 /// Reads a preset's text. Every problem has the span in that text; all are reported, not only the

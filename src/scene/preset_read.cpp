@@ -91,6 +91,7 @@ base::Result<Preset> read_preset(std::string_view text) {
     preset.document.unknown = std::move(reading.unknown);
     preset.warnings = std::move(reading.warnings);
     preset.formula_places = std::move(reading.formula_places);
+    preset.parameter_places = std::move(reading.parameter_places);
     return preset;
 }
 

@@ -29,6 +29,7 @@ struct Reading {
     base::Diagnostics warnings;
     std::map<std::string, std::string> unknown;
     std::vector<std::uint32_t> formula_places;
+    ParameterPlaces parameter_places;
 
     void fail(const Json& at, std::string message);
     /// "'settings.steps' must be EXPECTED, not WHAT STANDS THERE"

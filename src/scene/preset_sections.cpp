@@ -10,6 +10,7 @@
 #include "scene/preset_bounds.h"
 #include "scene/preset_formula.h"
 #include "scene/preset_object.h"
+#include "scene/preset_parameters.h"
 
 namespace scene {
 namespace {
@@ -34,29 +35,6 @@ void read_time(const Json& json, const Place& place, Reading& reading, Document&
 std::optional<Json> write_time(const Document& document, bool) {
     if (document.time == 0 || !is_writable(document.time)) return std::nullopt;
     return Json::of(document.time);
-}
-
-void read_parameters(const Json& json, const Place& place, Reading& reading, Document& document) {
-    if (json.kind != Kind::object) {
-        reading.expect(json, place, "an object");
-        return;
-    }
-    reading.reject_duplicates(json, place);
-    for (const JsonMember& member : json.members) {
-        double value = 0;
-        if (read_value(member.value, any_number, place.member(member.key), reading, value)) {
-            document.parameters[member.key] = value;
-        }
-    }
-}
-
-std::optional<Json> write_parameters(const Document& document, bool) {
-    Json json = Json::object();
-    for (const auto& [name, value] : document.parameters) {
-        if (is_writable(value)) json.add(name, Json::of(value));
-    }
-    if (json.members.empty()) return std::nullopt;
-    return json;
 }
 
 void read_camera(const Json& json, const Place& place, Reading& reading, Document& document) {

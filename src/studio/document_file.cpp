@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <set>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/file.h"
+#include "compile/compile.h"
 #include "scene/preset.h"
 
 namespace studio {
@@ -79,15 +79,28 @@ std::string file_name(const std::string& name) {
     return result.empty() ? "picture" : result;
 }
 
-/// Parameters that the formula no longer has would only confuse the file's readers.
-void drop_unknown_parameters(Workspace& workspace) {
+/// Values that the formula has no use for would only confuse the file's readers.
+void drop_useless_parameters(Workspace& workspace) {
     const Compilation& compilation = workspace.compilation;
     if (compilation.text != workspace.document.formula) return;
     if (base::has_errors(compilation.diagnostics)) return;
-    std::set<std::string> known;
-    for (const auto& parameter : compilation.parameters) known.insert(parameter.name);
-    std::erase_if(workspace.document.parameters,
-                  [&](const auto& entry) { return !known.contains(entry.first); });
+    std::erase_if(workspace.document.parameters, [&](const auto& entry) {
+        const auto& [name, value] = entry;
+        const auto place = std::ranges::find(compilation.parameters, name, &field::Parameter::name);
+        return place == compilation.parameters.end() || !compile::components(*place, value);
+    });
+}
+
+/// Says which values do not suit the formula, if that is understood.
+void note_parameters(Workspace& workspace, const scene::Preset& preset, const fs::path& file,
+                     std::string_view text) {
+    if (preset.document.parameters.empty()) return;
+    const auto formula = compile::compile_formula(preset.document.formula);
+    if (!formula) return;
+    for (const auto& problem : compile::check_parameters(formula->field, preset.document.parameters,
+                                                         preset.parameter_places)) {
+        workspace.note(in_file(problem, file, text));
+    }
 }
 
 }  // namespace
@@ -104,6 +117,7 @@ base::Status open_file(Workspace& workspace, const fs::path& file) {
         return problems;
     }
     for (const auto& warning : preset->warnings) workspace.note(in_file(warning, file, *text));
+    note_parameters(workspace, *preset, file, *text);
     const bool shipped = is_below(file, scene::shipped_presets_folder());
     workspace.replace(std::move(preset->document), fs::absolute(file), shipped);
     return base::Done{};
@@ -111,7 +125,7 @@ base::Status open_file(Workspace& workspace, const fs::path& file) {
 
 base::Status save_file(Workspace& workspace, const fs::path& file) {
     if (auto status = make_parent_folder(file); !status) return status;
-    drop_unknown_parameters(workspace);
+    drop_useless_parameters(workspace);
     const std::string text = scene::write_preset(workspace.document);
     if (auto status = base::write_atomically(file, text); !status) return status;
     workspace.saved = workspace.document;

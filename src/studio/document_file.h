@@ -17,7 +17,7 @@ namespace studio {
 base::Status open_file(Workspace& workspace, const std::filesystem::path& file);
 
 /// Writes the document; the file is the document's from then on. Folders are made as needed.
-/// Values of parameters that the formula does not have are dropped, if the formula is understood.
+/// Values that suit no parameter of the formula are dropped, if the formula is understood.
 base::Status save_file(Workspace& workspace, const std::filesystem::path& file);
 
 /// The file that a user means by a name in "Save as": an absolute path and one that begins with

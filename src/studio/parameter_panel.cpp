@@ -1,35 +1,43 @@
 // SPDX-License-Identifier: MIT
-// Sliders of the formula, and the time.
-#include <fmt/format.h>
+// The formula's parameters, and the time.
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <imgui.h>
 
+#include "compile/parameter_values.h"
 #include "studio/panels.h"
+#include "studio/parameter_control.h"
 #include "studio/slider.h"
 
 namespace studio {
 namespace {
 
 void show_parameter(scene::Document& document, const field::Parameter& parameter) {
-    const auto place = document.parameters.find(parameter.name);
-    double value = place == document.parameters.end() ? parameter.initial : place->second;
-    const bool whole = parameter.step && *parameter.step == static_cast<int>(*parameter.step);
-    const SliderRange range{.minimum = parameter.minimum,
-                            .maximum = parameter.maximum,
-                            .initial = parameter.initial,
-                            .step = parameter.step.value_or(0),
-                            .format = whole ? "%.0f" : "%.4g"};
-    const std::string label =
-        (parameter.label.empty() ? parameter.name : parameter.label) + "##" + parameter.name;
-    const std::string tooltip = fmt::format(
-        "{} in [{}, {}], by default {}\nDouble-click for the default, Ctrl+click to "
-        "type a number.",
-        parameter.name, parameter.minimum, parameter.maximum, parameter.initial);
-    if (!slider(label.c_str(), value, range, tooltip)) return;
-    if (value == parameter.initial) {
-        document.parameters.erase(parameter.name);
-    } else {
-        document.parameters[parameter.name] = value;
+    std::vector<double> components = compile::components_in(document, parameter);
+    if (!parameter_control(parameter, components)) return;
+    compile::set_components(document, parameter, components);
+}
+
+/// Those of one group; an empty name has those without a group.
+void show_group(scene::Document& document, const std::vector<field::Parameter>& parameters,
+                const std::string& group) {
+    for (const field::Parameter& parameter : parameters) {
+        if (parameter.group == group) show_parameter(document, parameter);
     }
+}
+
+/// Groups in the order in which they first appear.
+std::vector<std::string> groups_of(const std::vector<field::Parameter>& parameters) {
+    std::vector<std::string> groups;
+    for (const field::Parameter& parameter : parameters) {
+        const std::string& group = parameter.group;
+        if (!group.empty() && std::ranges::find(groups, group) == groups.end()) {
+            groups.push_back(group);
+        }
+    }
+    return groups;
 }
 
 void show_time(Workspace& workspace) {
@@ -54,8 +62,11 @@ void show_time(Workspace& workspace) {
 
 void show_parameter_panel(Workspace& workspace) {
     const auto& parameters = workspace.compilation.parameters;
-    for (const field::Parameter& parameter : parameters) {
-        show_parameter(workspace.document, parameter);
+    show_group(workspace.document, parameters, "");
+    for (const std::string& group : groups_of(parameters)) {
+        if (ImGui::CollapsingHeader(group.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) {
+            show_group(workspace.document, parameters, group);
+        }
     }
     if (parameters.empty()) {
         ImGui::PushTextWrapPos(0);

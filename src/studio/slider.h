@@ -3,6 +3,7 @@
 // double-click for the default, Ctrl+click to type.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include <glm/vec3.hpp>
@@ -28,8 +29,18 @@ bool vector_field(const char* label, glm::dvec3& value, double speed,
 /// One number, dragged.
 bool number_field(const char* label, double& value, double speed, double minimum, double maximum,
                   const std::string& tooltip = {});
-/// A linear colour, shown and picked as it looks on the screen.
-bool colour_field(const char* label, glm::dvec3& linear, const glm::dvec3& initial);
+/// Sliders side by side, one a component.
+bool slider_row(const char* label, std::span<double> values, std::span<const SliderRange> ranges,
+                const std::string& tooltip = {});
+/// One of some labels; the right button offers the initial one.
+bool choice(const char* label, std::size_t& chosen, std::span<const std::string> labels,
+            std::size_t initial, const std::string& tooltip = {});
+/// On or off; the right button offers the initial state.
+bool toggle(const char* label, bool& on, bool initial, const std::string& tooltip = {});
+/// A linear colour, shown and picked as it looks on the screen; the right button offers the initial
+/// one. Components above 1 can be typed if it may be brighter than white.
+bool colour_field(const char* label, glm::dvec3& linear, const glm::dvec3& initial,
+                  bool brighter_than_white = false, const std::string& tooltip = {});
 bool check(const char* label, bool& value, const std::string& tooltip = {});
 
 /// The label of the next control, on the left of it; the control fills the rest of the line.

@@ -135,6 +135,16 @@ class PresetErrors(Folder):
         self.assertRegex(result.stderr, rf"(?m)^{path}:2:\d+: error: ")
         self.assertRegex(result.stderr, rf"(?m)^{path}:3:\d+: error: ")
 
+    def test_the_places_of_values_that_do_not_suit_the_formula(self):
+        path = self.file("values.json", '{"zeroset": 1, "formula": "param size = 1\\nx = size",\n'
+                                        ' "parameters": {"size": [1, 2],\n  "sise": 1}}\n')
+        self.check(run("check", path), 1,
+                   f"{path}:2:25: error: 'parameters.size' must be a number, not a list of 2\n"
+                   ' "parameters": {"size": [1, 2],\n                        ^~~~~~\n'
+                   f"{path}:3:3: warning: unknown parameter 'sise' is ignored; "
+                   "did you mean 'size'?\n"
+                   '  "sise": 1}}\n  ^~~~~~\n')
+
     def test_the_place_of_a_formula_error_inside_the_file(self):
         lines = ['{', '  "zeroset": 1,', '  "formula": [',
                  r'    "param a = 1 in [0, 2] \"size \"",', '    "x + a*sine(y) = 0"', '  ]', '}']
@@ -203,8 +213,27 @@ class Usage(Folder):
         self.check(run("render", "--formula", "param a = 1\nx=a", "--set", "b=1"), 2,
                    "zeroset: error: --set: the formula has no parameter 'b'; it has a\n")
         for value in ("NaN", "inf", "1,5", "", "0x10", "1 "):
-            self.check_usage(("render", "--formula", "param a = 1\nx=a", "--set", f"a={value}"),
-                             f"--set: '{value}' is not a finite number")
+            self.check(run("render", "--formula", "param a = 1\nx=a", "--set", f"a={value}"), 2,
+                       f"zeroset: error: --set: '{value}' is not a finite number\n")
+            self.check(run("render", "--formula", "x=t", "--set", f"t={value}"), 2,
+                       f"zeroset: error: --set: '{value}' is not a finite number\n")
+        c = "param c = (-0.2, 0.6, 0.2, 0.2)\njulia(c)"
+        for setting, message in (
+                ("c=1", "'c' takes 4 numbers, such as c=-0.2,0.6,0.2,0.2, and c.x sets one of them"),
+                ("c=1,2,3,4,5",
+                 "'c' takes 4 numbers, such as c=-0.2,0.6,0.2,0.2, and c.x sets one of them"),
+                ("c=1,2,,4", "'' is not a finite number"),
+                ("c.x=", "'' is not a finite number"),
+                ("c.q=1", "'c' has the components 'x', 'y', 'z', 'w', not 'q'"),
+                ("c.=1", "'c' has the components 'x', 'y', 'z', 'w', not ''"),
+                ("d.x=1", "the formula has no parameter 'd.x'; it has c")):
+            self.check(run("render", "--formula", c, "--set", setting), 2,
+                       f"zeroset: error: --set: {message}\n")
+        self.check(run("render", "--formula", "param a = 1\nx=a", "--set", "a.x=2"), 2,
+                   "zeroset: error: --set: 'a' is a single value and has no components; "
+                   "write a=2\n")
+        self.check_usage(("render", "--formula", "x=0", "--set", "a"),
+                         "--set: 'a' should be NAME=VALUE")
 
     def test_numbers_that_are_none(self):
         for option, value in (("--fov", "0"), ("--fov", "180"), ("--fov", "nan"), ("--eye", "1,2"),

@@ -58,7 +58,7 @@ TEST(FieldValues, hold_expressions_of_parameters_computed_in_double) {
         return std::ranges::count(values, static_cast<float>(expected)) > 0;
     };
     EXPECT_TRUE(contains(std::sin(3.0) + 9));
-    frame.document.parameters["a"] = 2;
+    frame.document.parameters["a"] = 2.0;
     EXPECT_TRUE(contains(std::sin(2.0) + 4));
     EXPECT_FALSE(contains(std::sin(3.0) + 9));
     frame.document.time = 123.25;
@@ -105,7 +105,7 @@ TEST(FieldValues, follow_the_bounds_of_the_document) {
 TEST(FieldValues, follow_the_parameters) {
     Frame frame("param a = 1 in [0, 9]\na*x = y");
     const float before = frame.inverse_lipschitz();
-    frame.document.parameters["a"] = 8;
+    frame.document.parameters["a"] = 8.0;
     EXPECT_LT(frame.inverse_lipschitz(), before / 4);
 }
 

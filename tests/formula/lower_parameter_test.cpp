@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "formula/understood.h"
 
@@ -26,7 +28,7 @@ TEST(LowerParameter, keeps_all_that_is_declared) {
         first_of("k = 2\nparam size = 0.5k in [-1, 2pi] step 0.1 \"Size of it\"\nx = size");
     EXPECT_EQ(it.name, "size");
     EXPECT_EQ(it.label, "Size of it");
-    EXPECT_EQ(it.initial, 1);
+    EXPECT_EQ(it.initial, std::vector{1.0});
     EXPECT_EQ(it.minimum, -1);
     EXPECT_EQ(it.maximum, 2 * std::numbers::pi);
     EXPECT_EQ(it.step, 0.1);
@@ -56,9 +58,9 @@ TEST(LowerParameter, is_one_parameter_of_the_graph_in_the_order_of_the_text) {
     ASSERT_TRUE(result);
     ASSERT_EQ(result->field.parameters.size(), 2u);
     EXPECT_EQ(result->field.parameters[0].name, "b");
-    EXPECT_EQ(result->field.graph.name(result->field.parameters[0].id), "b");
-    EXPECT_EQ(graph::index(result->field.parameters[0].id), 1u);
-    EXPECT_EQ(graph::index(result->field.parameters[1].id), 2u);
+    EXPECT_EQ(result->field.graph.name(result->field.parameters[0].ids[0]), "b");
+    EXPECT_EQ(graph::index(result->field.parameters[0].ids[0]), 1u);
+    EXPECT_EQ(graph::index(result->field.parameters[1].ids[0]), 2u);
     EXPECT_DOUBLE_EQ(value_at("param b = 1\nparam a = 2\nx = a + 10b", {20, 0, 0}), 8);
 }
 
@@ -82,8 +84,30 @@ TEST(LowerParameter, has_constant_values) {
     check("param a = x\nx = a", "1:11: the initial value of 'a'" + end);
     check("param a = t\nx = a", "1:11: the initial value of 'a'" + end);
     check("param a = 1\nparam b = 1 in [0, a]\nx = a + b", "2:20: the maximum of 'b'" + end);
-    check("param a = (1, 2)\nx = a", "1:11: a tuple cannot be used as a value of a parameter");
+    check("param a = sphere(1)\nx = a",
+          "1:11: the initial value of 'a' must be a number or a vector, not a field");
+    check("param a = 1 in [0, sphere(1)]\nx = a", "1:20: the maximum of 'a' must be one number");
+    check("param a = 1 step sphere(1)\nx = a", "1:18: the step of 'a' must be one number");
     check("param a = foo\nx = a", "1:11: unknown name 'foo'");
+}
+
+TEST(LowerParameter, can_be_a_vector) {
+    const field::Parameter c = first_of("param c = (1, -2, 3/2, 0.5)\njulia(c)");
+    EXPECT_EQ(c.initial, (std::vector{1.0, -2.0, 1.5, 0.5}));
+    EXPECT_EQ(c.ids.size(), 4u);
+    EXPECT_EQ(std::pair(c.minimum, c.maximum), std::pair(-4.0, 4.0));
+    EXPECT_EQ(first_of("param c = (1, 0, 3)\ntranslate(sphere(), c)").minimum, 0);
+    EXPECT_EQ(first_of("param c = (-1, 0, 0)\ntranslate(sphere(), c)").maximum, 0);
+    EXPECT_EQ(first_of("param c = (0, 0, 0)\ntranslate(sphere(), c)").maximum, 1);
+}
+
+TEST(LowerParameter, of_several_components_has_one_range_for_all) {
+    check("param c = (1, 3) in [0, 2]\njulia(c)",
+          "1:11: component y of the initial value 3 of 'c' is outside its range [0, 2]");
+    check("param c = (1, 1) in [(0, 0), 2]\njulia(c)",
+          "1:22: the minimum of 'c' must be one number; it counts for every component");
+    check("param c = (1, 2, 3, 4, 5)\njulia(c)",
+          "1:11: 'c' has 5 components; a parameter has at most 4");
 }
 
 TEST(LowerParameter, reports_all_bad_values) {

@@ -87,7 +87,9 @@ inline double value_at(std::string_view text, glm::dvec3 point) {
     }
     std::vector<double> parameters(result->field.graph.parameter_count(), 0.0);
     for (const field::Parameter& it : result->field.parameters) {
-        parameters[graph::index(it.id)] = it.initial;
+        for (std::size_t i = 0; i < it.size(); ++i) {
+            parameters[graph::index(it.ids[i])] = it.initial[i];
+        }
     }
     return eval::value(result->field, result->field.root, point, parameters);
 }

@@ -101,8 +101,18 @@ TEST(PresetErrors, tell_the_type_that_is_wanted) {
               "[]|'settings' must be an object, not an empty list");
     EXPECT_EQ(problem_with(R"("description": null)"),
               "null|'description' must be text in quotes, not null");
-    EXPECT_EQ(problem_with(R"("parameters": {"a": true})"),
-              "true|'parameters.a' must be a number, not true");
+    const std::string parameter =
+        "a number, a list of 2 to 4 numbers, text in quotes, true or false, not ";
+    EXPECT_EQ(problem_with(R"("parameters": {"a": null})"),
+              "null|'parameters.a' must be " + parameter + "null");
+    EXPECT_EQ(problem_with(R"("parameters": {"a": {}})"),
+              "{}|'parameters.a' must be " + parameter + "an object");
+    EXPECT_EQ(problem_with(R"("parameters": {"a": [1]})"),
+              "[1]|'parameters.a' must be " + parameter + "a list of 1");
+    EXPECT_EQ(problem_with(R"("parameters": {"a": [1, 2, 3, 4, 5]})"),
+              "[1, 2, 3, 4, 5]|'parameters.a' must be " + parameter + "a list of 5");
+    EXPECT_EQ(problem_with(R"("parameters": {"a": [1, "x"]})"),
+              "\"x\"|'parameters.a[1]' must be a number, not \"x\"");
     EXPECT_EQ(problem_with(R"("parameters": 1)"), "1|'parameters' must be an object, not 1");
     EXPECT_EQ(problem_with(R"("title": ["a", "b"])"),
               "[\"a\", \"b\"]|'title' must be text in quotes, not a list of 2");

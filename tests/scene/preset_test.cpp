@@ -44,7 +44,7 @@ public:
         if (coin()) d.description = text() + '\n' + text();
         d.formula = "x" + text();
         for (int i = upto(3); i-- > 0;) d.formula += '\n' + text();
-        for (int i = upto(3); i-- > 0;) d.parameters[text()] = number(-10, 10);
+        for (int i = upto(3); i-- > 0;) d.parameters[text()] = parameter();
         if (coin()) d.time = number(-100, 100);
         if (coin()) d.bounds = bounds();
         if (coin()) d.camera = {vector(-5, -1), vector(1, 5), vector(0.5, 1), number(1, 170)};
@@ -57,6 +57,21 @@ public:
     }
 
 private:
+    scene::ParameterValue parameter() {
+        switch (upto(3)) {
+            case 0:
+                return text();
+            case 1:
+                return coin();
+            case 2: {
+                std::vector<double> components(2 + static_cast<std::size_t>(upto(2)));
+                for (double& component : components) component = number(-10, 10);
+                return components;
+            }
+            default:
+                return number(-10, 10);
+        }
+    }
     scene::Bounds bounds() {
         scene::Bounds b;
         const glm::dvec3 centre = coin() ? vector(-5, 5) : glm::dvec3(0);
@@ -220,6 +235,32 @@ TEST(Preset, reads_every_form_of_bounds) {
     EXPECT_EQ(bounds(R"("none")").shape, Shape::none);
 }
 
+TEST(Preset, holds_parameters_as_people_write_them) {
+    const std::string text = R"({
+  "zeroset": 1,
+  "formula": "x",
+  "parameters": {
+    "a": 0.5,
+    "c": [-0.2, 0.6, 0.2, 0.2],
+    "cut": true,
+    "shape": "round"
+  }
+}
+)";
+    const auto preset = scene::read_preset(text);
+    ASSERT_TRUE(preset);
+    const scene::ParameterValues expected{
+        {"a", 0.5}, {"c", std::vector{-0.2, 0.6, 0.2, 0.2}}, {"cut", true}, {"shape", "round"}};
+    EXPECT_EQ(preset->document.parameters, expected);
+    EXPECT_EQ(scene::write_preset(preset->document), text);
+    const auto place = [&](const char* name, auto member) {
+        const base::SourceSpan span = preset->parameter_places.at(name).*member;
+        return text.substr(span.begin, span.end - span.begin);
+    };
+    EXPECT_EQ(place("c", &scene::ParameterPlace::name), "\"c\"");
+    EXPECT_EQ(place("c", &scene::ParameterPlace::value), "[-0.2, 0.6, 0.2, 0.2]");
+}
+
 TEST(Preset, can_have_no_lights) {
     const auto preset = scene::read_preset(R"({"zeroset": 1, "formula": "x", "lights": []})");
     ASSERT_TRUE(preset);
@@ -232,6 +273,7 @@ TEST(Preset, never_holds_a_number_that_cannot_be_read_back) {
     document.formula = "x";
     document.time = std::numeric_limits<double>::quiet_NaN();
     document.parameters["a"] = std::numeric_limits<double>::infinity();
+    document.parameters["b"] = std::vector{1, std::numeric_limits<double>::infinity()};
     document.settings.exposure = std::numeric_limits<double>::quiet_NaN();
     document.camera = {{std::numeric_limits<double>::infinity(), 0, 0}, {0, 0, 0}};
     const auto preset = scene::read_preset(scene::write_preset(document));

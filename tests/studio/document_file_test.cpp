@@ -84,19 +84,21 @@ TEST_F(DocumentFile, saves_and_opens_the_same_document) {
     EXPECT_FALSE(other.history.can_undo());
 }
 
-TEST_F(DocumentFile, drops_values_of_parameters_that_an_understood_formula_lacks) {
+TEST_F(DocumentFile, drops_values_that_an_understood_formula_has_no_use_for) {
     studio::Workspace workspace(studio::first_document());
-    workspace.document.parameters = {{"a", 2}, {"gone", 1}};
+    workspace.document.parameters = {{"a", 2.0}, {"gone", 1.0}, {"b", true}};
     const fs::path file = *studio::preset_path("egg");
     // While nothing is known about the formula, nothing is dropped.
     ASSERT_TRUE(studio::save_file(workspace, file));
-    EXPECT_EQ(workspace.document.parameters.size(), 2u);
+    EXPECT_EQ(workspace.document.parameters.size(), 3u);
     workspace.compilation.text = workspace.document.formula;
     field::Parameter parameter;
     parameter.name = "a";
-    workspace.compilation.parameters = {parameter};
+    parameter.initial = {1};
+    workspace.compilation.parameters = {parameter, parameter};
+    workspace.compilation.parameters[1].name = "b";
     ASSERT_TRUE(studio::save_file(workspace, file));
-    EXPECT_EQ(workspace.document.parameters, (std::map<std::string, double>{{"a", 2}}));
+    EXPECT_EQ(workspace.document.parameters, (scene::ParameterValues{{"a", 2.0}}));
     EXPECT_FALSE(workspace.unsaved());
 }
 

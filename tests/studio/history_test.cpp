@@ -105,7 +105,7 @@ TEST(History, covers_every_part_of_the_document) {
     const scene::Document first = document;
     document.formula = "x = 0";
     history.record(document, no_gesture, 1);
-    document.parameters["a"] = 2;
+    document.parameters["a"] = 2.0;
     history.record(document, no_gesture, 1);
     document.camera = scene::Camera{};
     history.record(document, no_gesture, 1);
