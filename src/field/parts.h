@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What a node of the tree holds: its expressions, and the nodes below it.
+#pragma once
+
+#include <vector>
+
+#include "field/field.h"
+
+namespace field {
+
+/// The places of all expressions of the node itself, always in the same order.
+std::vector<graph::NodeId*> expressions(Node& node);
+/// All expressions of the node itself, in the same order.
+std::vector<graph::NodeId> expressions(const Node& node);
+
+/// The nodes right below, from left to right; none below a leaf.
+std::vector<FieldId> children(const Node& node);
+
+}  // namespace field
