@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/spectral_norm.h"
+#include "graph/extract.h"
 #include "passes/differentiate.h"
 
 namespace analysis {
@@ -86,13 +87,14 @@ CellBounds second_derivative_on(Evaluator& evaluator, const Cell& cell) {
 }  // namespace
 
 DerivativeTapes derivative_tapes(const graph::Graph& graph, graph::NodeId f) {
-    graph::Graph g = graph;
-    const std::array first = passes::gradient(g, f);
-    const std::array by_x = passes::gradient(g, first[0]);
-    const std::array by_y = passes::gradient(g, first[1]);
-    const std::array by_z = passes::gradient(g, first[2]);
-    const std::array all{f,       first[0], first[1], first[2], by_x[0],
-                         by_y[1], by_z[2],  by_x[1],  by_x[2],  by_y[2]};
+    // A graph of its own, so that many leaves take no longer than their parts together.
+    graph::Extract part = extract(graph, std::array{f});
+    graph::Graph& g = part.graph;
+    const graph::NodeId value = part.roots[0];
+    const std::array first = passes::gradient(g, value);
+    const std::vector second = passes::gradients(g, first);
+    const std::array all{value,        first[0],     first[1],     first[2],     second[0][0],
+                         second[1][1], second[2][2], second[0][1], second[0][2], second[1][2]};
     const std::span<const graph::NodeId> roots(all);
     return {eval::make_tape(g, roots.first(1)), eval::make_tape(g, roots.first(4)),
             eval::make_tape(g, roots)};

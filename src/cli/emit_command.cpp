@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/emit_passes.h"
 #include "cli/run.h"
-#include "field/print_field.h"
 #include "formula/parse.h"
 #include "formula/print_ast.h"
 
@@ -23,7 +23,7 @@ int emit(const InputOptions& input_options, const RenderOptions& options, Emitte
                            .fragment);
             break;
         case Emitted::graph:
-            fmt::print("{}", field::print(input->formula.field));
+            fmt::print("{}", *emit_passes(input->document.formula));
             break;
         case Emitted::ast:
             fmt::print("{}", formula::print_ast(*formula::parse(input->document.formula)));

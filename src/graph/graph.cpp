@@ -79,14 +79,24 @@ bool Graph::is_constant(NodeId id, double value) const {
 }
 
 std::vector<NodeId> reachable(const Graph& graph, std::span<const NodeId> roots) {
-    std::vector<bool> needed(graph.size(), false);
-    for (NodeId root : roots) needed[index(root)] = true;
+    if (roots.empty()) return {};
+    // One bit a node in words of 64, so that what is not needed costs next to nothing: the largest
+    // number first, and arguments always have smaller ones.
+    std::vector<std::uint64_t> needed(index(std::ranges::max(roots)) / 64 + 1, 0);
+    const auto mark = [&](NodeId id) {
+        needed[index(id) / 64] |= std::uint64_t{1} << (index(id) % 64);
+    };
+    std::ranges::for_each(roots, mark);
     std::vector<NodeId> order;
-    for (std::size_t i = graph.size(); i-- > 0;) {
-        if (!needed[i]) continue;
-        const auto id = static_cast<NodeId>(i);
-        order.push_back(id);
-        for (NodeId argument : graph[id].args()) needed[index(argument)] = true;
+    for (std::size_t word = needed.size(); word-- > 0;) {
+        std::uint64_t below = ~std::uint64_t{0};
+        while (const std::uint64_t left = needed[word] & below) {
+            const int bit = std::bit_width(left) - 1;
+            below = (std::uint64_t{1} << bit) - 1;
+            const auto id = static_cast<NodeId>(word * 64 + static_cast<std::size_t>(bit));
+            order.push_back(id);
+            std::ranges::for_each(graph[id].args(), mark);
+        }
     }
     std::ranges::reverse(order);
     return order;

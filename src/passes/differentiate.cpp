@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "passes/differentiate.h"
 
+#include <algorithm>
 #include <optional>
-#include <unordered_map>
 
 #include "graph/build.h"
 #include "passes/pipeline.h"
+#include "passes/power_of.h"
 
 namespace passes {
 namespace {
@@ -65,7 +66,7 @@ struct Chain {
             case Op::sub:
                 return da - db;
             case Op::mul:
-                return a.id == b.id ? da * (2.0 * a) : da * b + db * a;
+                return da * b + db * a;
             case Op::div:
             case Op::ratio:
                 return (da - db * f) / b;
@@ -120,45 +121,96 @@ struct Chain {
     }
 };
 
+/// One sweep from the leaves to the roots.
+class Sweep {
+public:
+    Sweep(Graph& graph, std::span<const NodeId> roots, std::span<const Seed> seeds)
+        : graph_(graph), powers_(graph), slopes_(graph.size()) {
+        for (const NodeId id : reachable(graph, roots)) slopes_[index(id)] = of(id, seeds);
+    }
+    NodeId operator[](NodeId id) const { return slopes_[index(id)].value_or(graph_.constant(0)); }
+
+private:
+    Slope slope(NodeId id) const {
+        const std::optional<NodeId> known = slopes_[index(id)];
+        return known ? Slope(Expr(graph_, *known)) : Slope();
+    }
+
+    std::optional<NodeId> of(NodeId id, std::span<const Seed> seeds) {
+        const Node node = graph_[id];
+        if (node.op == Op::variable) {
+            const auto found = std::ranges::find(seeds, static_cast<graph::VariableId>(node.symbol),
+                                                 &Seed::variable);
+            const bool moves = found != seeds.end() && !graph_.is_constant(found->slope, 0);
+            return moves ? std::optional(found->slope) : std::nullopt;
+        }
+        if (node.args().empty()) return std::nullopt;
+        const Slope slope = node.op == Op::mul ? of_product(id, node) : of_operator(id, node);
+        return slope ? std::optional(slope->id) : std::nullopt;
+    }
+
+    /// A product of powers of one base is a power: n x^(n - 1), not a sum of products.
+    Slope of_product(NodeId id, const Node& node) {
+        const PowerOf power = powers_[id];
+        if (power.exponent == 1) return of_operator(id, node);
+        const Expr base(graph_, power.base);
+        const double n = power.exponent;
+        const Expr rest = n == 2 ? base : pow(base, Expr(graph_, n - 1));
+        return slope(power.base) * (n * rest);
+    }
+
+    Slope of_operator(NodeId id, const Node& node) const {
+        const auto [a, b, c, d] = node.arguments;
+        const std::size_t arity = node.args().size();
+        // Places beyond the arity hold node 0 and are never looked at.
+        const Chain chain{graph_,
+                          {graph_, id},
+                          {graph_, a},
+                          {graph_, b},
+                          {graph_, c},
+                          slope(a),
+                          arity > 1 ? slope(b) : Slope(),
+                          arity > 2 ? slope(c) : Slope(),
+                          arity > 3 ? slope(d) : Slope()};
+        return chain.of(node.op);
+    }
+
+    Graph& graph_;
+    Powers powers_;
+    std::vector<std::optional<NodeId>> slopes_;  ///< by node; empty is zero by structure
+};
+
 }  // namespace
 
+std::vector<NodeId> differentiate(Graph& graph, std::span<const NodeId> roots,
+                                  std::span<const Seed> seeds) {
+    const Sweep sweep(graph, roots, seeds);
+    std::vector<NodeId> slopes;
+    for (const NodeId root : roots) slopes.push_back(sweep[root]);
+    return slopes;
+}
+
 NodeId differentiate(Graph& graph, NodeId root, graph::VariableId by) {
-    std::unordered_map<NodeId, NodeId> slopes;  // only of nodes with a derivative
-    const auto slope_of = [&](NodeId id) {
-        const auto found = slopes.find(id);
-        return found == slopes.end() ? Slope() : Slope(Expr(graph, found->second));
-    };
-    for (NodeId id : reachable(graph, std::array{root})) {
-        const Node node = graph[id];
-        if (node.op == Op::variable && node.symbol == index(by)) {
-            slopes[id] = graph.constant(1);
-            continue;
-        }
-        if (node.args().empty()) continue;
-        const auto [a, b, c, d] = node.arguments;
-        // Slopes of unused places are those of node 0 and are never looked at.
-        const std::size_t arity = node.args().size();
-        const Chain chain{graph,
-                          {graph, id},
-                          {graph, a},
-                          {graph, b},
-                          {graph, c},
-                          slope_of(a),
-                          arity > 1 ? slope_of(b) : Slope(),
-                          arity > 2 ? slope_of(c) : Slope(),
-                          arity > 3 ? slope_of(d) : Slope()};
-        if (const Slope slope = chain.of(node.op)) slopes[id] = slope->id;
+    const std::array seed{Seed{by, graph.constant(1)}};
+    return differentiate(graph, std::array{root}, seed)[0];
+}
+
+std::vector<std::array<NodeId, 3>> gradients(Graph& graph, std::span<const NodeId> roots) {
+    std::vector<NodeId> all;
+    for (const graph::VariableId by : {graph::variable_x, graph::variable_y, graph::variable_z}) {
+        const std::array seed{Seed{by, graph.constant(1)}};
+        std::ranges::copy(differentiate(graph, roots, seed), std::back_inserter(all));
     }
-    const Slope slope = slope_of(root);
-    return slope ? slope->id : graph.constant(0);
+    const std::vector<NodeId> simple = run(graph, all);
+    std::vector<std::array<NodeId, 3>> result;
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+        result.push_back({simple[i], simple[i + roots.size()], simple[i + 2 * roots.size()]});
+    }
+    return result;
 }
 
 std::array<NodeId, 3> gradient(Graph& graph, NodeId root) {
-    const std::array roots{differentiate(graph, root, graph::variable_x),
-                           differentiate(graph, root, graph::variable_y),
-                           differentiate(graph, root, graph::variable_z)};
-    const std::vector<NodeId> simple = run(graph, roots);
-    return {simple[0], simple[1], simple[2]};
+    return gradients(graph, std::array{root})[0];
 }
 
 }  // namespace passes

@@ -2,6 +2,7 @@
 // Bottom-up rewriting: the traversal that all passes share.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -14,11 +15,22 @@ namespace passes {
 /// node itself. New nodes go into the same graph.
 using Rule = graph::NodeId (*)(graph::Graph&, graph::NodeId);
 
-/// Applies the rule to all that the roots need, arguments before users, each node once.
-std::vector<graph::NodeId> rewrite(graph::Graph& graph, std::span<const graph::NodeId> roots,
-                                   Rule rule);
+/// A rewrite of whole expressions: an equivalent of each root, in order.
+using Transformation = std::vector<graph::NodeId> (*)(graph::Graph&,
+                                                      std::span<const graph::NodeId>);
 
-/// Applies the rule to every expression of a field, in place.
-void rewrite(field::Field& field, Rule rule);
+/// Applies the rule to all that the roots need, arguments before users, each node once.
+std::vector<graph::NodeId> rewrite(
+    graph::Graph& graph, std::span<const graph::NodeId> roots,
+    const std::function<graph::NodeId(graph::Graph&, graph::NodeId)>& rule);
+
+/// The rule as a transformation.
+template <Rule rule>
+std::vector<graph::NodeId> everywhere(graph::Graph& graph, std::span<const graph::NodeId> roots) {
+    return rewrite(graph, roots, rule);
+}
+
+/// The places of all expressions of a field, always in the same order.
+std::vector<graph::NodeId*> all_expressions(field::Field& field);
 
 }  // namespace passes

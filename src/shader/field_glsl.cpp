@@ -29,12 +29,16 @@ class FieldWriter {
 public:
     FieldWriter(field::Field field, bool count_evaluations)
         : field_(std::move(field)), count_evaluations_(count_evaluations) {
+        std::vector<NodeId> values;
         for (FieldId id : leaves(field_, field_.root)) {
-            Leaf leaf{id};
-            if (const auto* formula = std::get_if<field::Formula>(&field_[id])) {
-                leaf.gradient = passes::gradient(field_.graph, formula->value);
-            }
-            leaves_.push_back(leaf);
+            leaves_.push_back({id});
+            const auto* leaf = std::get_if<field::Formula>(&field_[id]);
+            if (leaf) values.push_back(leaf->value);
+        }
+        const auto gradients = passes::gradients(field_.graph, values);
+        auto next = gradients.begin();
+        for (Leaf& leaf : leaves_) {
+            if (std::holds_alternative<field::Formula>(field_[leaf.id])) leaf.gradient = *next++;
         }
         depends_ = depends_on_variables(field_.graph);
     }

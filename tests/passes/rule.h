@@ -51,4 +51,10 @@ inline std::string rewritten(Rule rule, Expr expression) {
     return in_one_line(graph, rewrite(graph, std::array{expression.id}, rule)[0]);
 }
 
+/// What the transformation makes of the expression.
+inline std::string transformed(Transformation transformation, Expr expression) {
+    graph::Graph& graph = *expression.graph;
+    return in_one_line(graph, transformation(graph, std::array{expression.id})[0]);
+}
+
 }  // namespace passes

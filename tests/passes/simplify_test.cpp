@@ -35,6 +35,8 @@ TEST(Simplify, turns_factors_of_minus_one_into_signs) {
     EXPECT_EQ(simple(-1.0 * l.x), "neg(x)");
     EXPECT_EQ(simple(l.x / -1.0), "neg(x)");
     EXPECT_EQ(simple(-l.x * -l.y), "mul(x, y)");
+    EXPECT_EQ(simple(-l.x / -l.y), "div(x, y)");
+    EXPECT_EQ(simple(-(l.x - l.y)), "sub(y, x)");
 }
 
 TEST(Simplify, drops_signs_that_do_not_matter) {
@@ -42,6 +44,34 @@ TEST(Simplify, drops_signs_that_do_not_matter) {
     EXPECT_EQ(simple(-(-l.x)), "x");
     EXPECT_EQ(simple(abs(-l.x)), "abs(x)");
     EXPECT_EQ(simple(abs(abs(l.x))), "abs(x)");
+}
+
+TEST(Simplify, takes_signs_out_of_odd_functions_and_drops_them_in_even_ones) {
+    Leaves l;
+    for (const Op op : {Op::sin, Op::tan, Op::asin, Op::atan, Op::sinh, Op::tanh, Op::cbrt}) {
+        const std::string name(graph::facts(op).name);
+        EXPECT_EQ(simple(apply(op, -l.x)), "neg(" + name + "(x))");
+    }
+    EXPECT_EQ(simple(cos(-l.x)), "cos(x)");
+    EXPECT_EQ(simple(apply(Op::cosh, abs(l.x))), "cosh(x)");
+    EXPECT_EQ(simple(hypot(-l.x, abs(l.y))), "hypot(x, y)");
+    EXPECT_EQ(simple(acos(-l.x)), "acos(neg(x))");
+    EXPECT_EQ(simple(floor(-l.x)), "floor(neg(x))");
+}
+
+TEST(Simplify, knows_what_is_never_negative) {
+    Leaves l;
+    EXPECT_EQ(simple(abs(exp(l.x))), "exp(x)");
+    EXPECT_EQ(simple(abs(l.x * l.x)), "mul(x, x)");
+    EXPECT_EQ(simple(abs(l.x) * abs(l.x)), "mul(x, x)");
+    EXPECT_EQ(simple(abs(l.x * l.y)), "abs(mul(x, y))");
+}
+
+TEST(Simplify, rounds_once) {
+    Leaves l;
+    EXPECT_EQ(simple(floor(apply(Op::ceil, l.x))), "ceil(x)");
+    EXPECT_EQ(simple(sign(sign(l.x))), "sign(x)");
+    EXPECT_EQ(simple(sign(floor(l.x))), "sign(floor(x))");
 }
 
 TEST(Simplify, drops_minima_and_maxima_of_equals) {
