@@ -222,29 +222,9 @@ void check_type(Reading& reading) {
         case Type::colour:
             if (reading.parameter.size() == 3) break;
             reading.fail(reading.lowering.span(declaration.initial),
-                         fmt::format("the {} needs 3 components, red, green and blue; write for "
-                                     "example (1, 0.5, 0)",
+                         fmt::format("the initial value of the {} needs red, green and blue; write "
+                                     "for example (1, 0.5, 0)",
                                      named(declaration)));
-    }
-}
-
-/// A choice and a toggle are no numbers to slide over.
-void check_modifiers(Reading& reading) {
-    const ParameterDeclaration& declaration = reading.declaration;
-    const auto& choices = declaration.choices;
-    for (auto it = choices.begin(); it != choices.end(); ++it) {
-        if (std::find(choices.begin(), it, *it) == it) continue;
-        reading.fail(declaration.span, fmt::format("the {} has \"{}\" twice; keep one of them",
-                                                   named(declaration), *it));
-    }
-    if (declaration.type != Type::choice && declaration.type != Type::toggle) return;
-    if (declaration.range) {
-        reading.fail(reading.lowering.span((*declaration.range)[0]),
-                     fmt::format("the {} has no range; take it away", named(declaration)));
-    }
-    if (declaration.step) {
-        reading.fail(reading.lowering.span(*declaration.step),
-                     fmt::format("the {} has no step; take it away", named(declaration)));
     }
 }
 
@@ -288,7 +268,6 @@ Value lower_parameter(Lowering& lowering, const ParameterDeclaration& declaratio
     parameter.choices = declaration.choices;
     parameter.span = declaration.span;
     read_initial(reading);
-    check_modifiers(reading);
     if (declaration.range) read_range(reading);
     if (declaration.step) read_step(reading);
     if (reading.good) check_type(reading);

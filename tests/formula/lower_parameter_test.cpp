@@ -23,6 +23,11 @@ field::Parameter first_of(std::string_view text) {
     return result->field.parameters.front();
 }
 
+std::pair<double, double> range_of(std::string_view text) {
+    const field::Parameter it = first_of(text);
+    return {it.minimum, it.maximum};
+}
+
 TEST(LowerParameter, keeps_all_that_is_declared) {
     const field::Parameter it =
         first_of("k = 2\nparam size = 0.5k in [-1, 2pi] step 0.1 \"Size of it\"\nx = size");
@@ -42,14 +47,10 @@ TEST(LowerParameter, has_its_name_as_label_and_no_step_by_default) {
 }
 
 TEST(LowerParameter, chooses_a_range_around_the_initial_value) {
-    const auto range = [](std::string_view text) {
-        const field::Parameter it = first_of(text);
-        return std::pair(it.minimum, it.maximum);
-    };
-    EXPECT_EQ(range("param a = 3\nx = a"), std::pair(0.0, 6.0));
-    EXPECT_EQ(range("param a = -3\nx = a"), std::pair(-6.0, 0.0));
-    EXPECT_EQ(range("param a = 0\nx = a"), std::pair(-1.0, 1.0));
-    EXPECT_EQ(range("param a = 3 step 1\nx = a"), std::pair(0.0, 6.0));
+    EXPECT_EQ(range_of("param a = 3\nx = a"), std::pair(0.0, 6.0));
+    EXPECT_EQ(range_of("param a = -3\nx = a"), std::pair(-6.0, 0.0));
+    EXPECT_EQ(range_of("param a = 0\nx = a"), std::pair(-1.0, 1.0));
+    EXPECT_EQ(range_of("param a = 3 step 1\nx = a"), std::pair(0.0, 6.0));
     EXPECT_EQ(first_of("param a = 3 \"b\"\nx = a").label, "b");
 }
 
@@ -108,6 +109,73 @@ TEST(LowerParameter, of_several_components_has_one_range_for_all) {
           "1:22: the minimum of 'c' must be one number; it counts for every component");
     check("param c = (1, 2, 3, 4, 5)\njulia(c)",
           "1:11: 'c' has 5 components; a parameter has at most 4");
+}
+
+TEST(LowerParameter, keeps_type_group_and_tooltip) {
+    const field::Parameter it =
+        first_of("param n = 3 integer group \"Sponge\" tooltip \"How deep.\"\nx = n");
+    EXPECT_EQ(it.type, ParameterType::integer);
+    EXPECT_EQ(it.group, "Sponge");
+    EXPECT_EQ(it.tooltip, "How deep.");
+    EXPECT_EQ(it.label, "n");
+    EXPECT_EQ(first_of("param a = 1\nx = a").group, "");
+}
+
+TEST(LowerParameter, can_be_a_choice) {
+    const std::string text = "param shape = \"square\" in [\"round\", \"square\"]\nx = shape";
+    const field::Parameter it = first_of(text);
+    EXPECT_EQ(it.type, ParameterType::choice);
+    EXPECT_EQ(it.choices, (std::vector<std::string>{"round", "square"}));
+    EXPECT_EQ(it.initial, std::vector{1.0});
+    EXPECT_EQ(range_of(text), std::pair(0.0, 1.0));
+    EXPECT_EQ(value_at(text, {5, 0, 0}), 4);
+}
+
+TEST(LowerParameter, can_be_on_or_off) {
+    EXPECT_EQ(first_of("param cut = on\nx = cut").type, ParameterType::toggle);
+    EXPECT_EQ(value_at("param cut = on\nx = cut", {5, 0, 0}), 4);
+    EXPECT_EQ(value_at("param cut = off\nx = cut", {5, 0, 0}), 5);
+    EXPECT_EQ(range_of("param cut = off\nx = cut"), std::pair(0.0, 1.0));
+}
+
+TEST(LowerParameter, of_a_type_has_a_range_that_suits_it) {
+    const double pi = std::numbers::pi;
+    EXPECT_EQ(range_of("param n = 3 integer\nx = n"), std::pair(0.0, 6.0));
+    EXPECT_EQ(range_of("param a = 2 logarithmic\nx = a"), std::pair(0.2, 20.0));
+    EXPECT_EQ(range_of("param a = 0.5 angle\nx = a"), std::pair(-pi, pi));
+    EXPECT_EQ(range_of("param a = 2pi angle\nx = a"), std::pair(-2 * pi, 2 * pi));
+    EXPECT_EQ(range_of("param a = -4 angle\nx = a"), std::pair(-2 * pi, 2 * pi));
+    EXPECT_EQ(range_of("param a = (1, 0.5, 0) colour\ntranslate(sphere(), a)"),
+              std::pair(0.0, 1.0));
+    EXPECT_EQ(range_of("param a = (2, 0.5, 0) in [0, 4] colour\ntranslate(sphere(), a)"),
+              std::pair(0.0, 4.0));
+}
+
+TEST(LowerParameter, of_type_integer_has_whole_values) {
+    check("param n = 2.5 integer\nx = n",
+          "1:11: the initial value 2.5 of the integer 'n' is not whole; write 3");
+    check("param n = 2 in [0.5, 3.5] integer step 0.25\nx = n",
+          "1:17: the minimum 0.5 of the integer 'n' is not whole; write 0\n"
+          "1:22: the maximum 3.5 of the integer 'n' is not whole; write 4\n"
+          "1:40: the step 0.25 of the integer 'n' is not whole; write 1");
+}
+
+TEST(LowerParameter, of_type_logarithmic_is_above_0) {
+    check("param a = 1 in [0, 2] logarithmic\nx = a",
+          "1:17: the minimum 0 of the logarithmic 'a' must be above 0; write for example 0.01");
+    check("param a = 0 logarithmic\nx = a",
+          "1:11: the initial value of the logarithmic 'a' must be above 0");
+    check("param a = (1, -2, 1) logarithmic\ntranslate(sphere(), a)",
+          "1:11: the initial value of the logarithmic 'a' must be above 0");
+}
+
+TEST(LowerParameter, of_type_colour_has_3_components) {
+    const std::string end =
+        "of the colour 'c' needs red, green and blue; write for example (1, 0.5, 0)";
+    check("param c = 0.5 colour\nx = c", "1:11: the initial value " + end);
+    check("param c = (1, 1, 1, 1) colour\njulia(c)", "1:11: the initial value " + end);
+    check("param c = (1, 2, 1) colour\ntranslate(sphere(), c)",
+          "1:11: component y of the initial value 2 of 'c' is outside its range [0, 1]");
 }
 
 TEST(LowerParameter, reports_all_bad_values) {

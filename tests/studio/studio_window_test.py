@@ -20,10 +20,11 @@ PICTURE = (420, 40, 1030, 700)  # left, top, right, bottom: inside the picture, 
 EDITOR = (40, 30, 380, 150)
 SLIDERS = (140, 310, 380, 345)
 SLIDER_GRAB = (0x3F, 0x97, 0xA5)
+SWITCH = (150, 359)  # the box to tick in the second line of the sliders
 
-PARAMETER = 'param a = 0.3 in [0, 1] "depth"'
-EQUATION = 'x^2 + y^2 + 4*a*z^2 = 1.5'
-FORMULA = PARAMETER + '\n' + EQUATION
+PARAMETERS = 'param a = 0.3 in [0, 1] "depth"\nparam big = off'
+EQUATION = 'x^2 + y^2 + 4*a*z^2 = 1.5 + big/2'
+FORMULA = PARAMETERS + '\n' + EQUATION
 
 
 class Failure(Exception):
@@ -220,6 +221,19 @@ def check_slider(studio, before):
     return studio.changed_picture(before, 'after moving the slider')
 
 
+def check_switch(studio, before):
+    def click():
+        studio.run('mousemove', *map(str, SWITCH), 'click', '1', 'mousemove', '700', '400')
+
+    click()
+    switched = studio.changed_picture(before, 'after a click on the switch')
+    studio.keys('ctrl+z')
+    wait_for('one undo to take the click back', lambda: studio.settled_picture() == before)
+    click()
+    wait_for('the switch to do the same again', lambda: studio.settled_picture() == switched)
+    return switched
+
+
 def check_camera(studio, before):
     studio.drag((700, 400), (120, 60))
     studio.changed_picture(before, 'after turning the camera')
@@ -241,6 +255,7 @@ def check_saving(studio):
     expect(text == FORMULA, f'the saved formula is {text!r}')
     value = preset.get('parameters', {}).get('a')
     expect(value is not None and 0.4 < value < 0.9, f'the saved parameter is {value}')
+    expect(preset['parameters'].get('big') is True, f"the saved switch is {preset['parameters']}")
     wait_for('a title without the mark', lambda: '*' not in studio.title())
 
 
@@ -300,7 +315,8 @@ def check_all(open_studio, home):
         typed = check_typing(studio)
         check_broken_text(studio, typed)
         moved = check_slider(studio, typed)
-        check_camera(studio, moved)
+        switched = check_switch(studio, moved)
+        check_camera(studio, switched)
         check_saving(studio)
         check_screenshot(studio)
         check_end(studio)
