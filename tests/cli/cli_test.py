@@ -232,6 +232,15 @@ class Usage(Folder):
         self.check(run("render", "--formula", "param a = 1\nx=a", "--set", "a.x=2"), 2,
                    "zeroset: error: --set: 'a' is a single value and has no components; "
                    "write a=2\n")
+        kinds = 'param s = "round" in ["round", "square"]\nparam cut = on\nx = s + cut'
+        for setting, message in (
+                ("s=oval", "'s' is one of 'round', 'square', not 'oval'"),
+                ("s=squar", "'s' is one of 'round', 'square', not 'squar'; did you mean 'square'?"),
+                ("s=2", "'s' is one of 'round', 'square', not '2'"),
+                ("cut=yes", "'cut' is on or off, not 'yes'"),
+                ("cut=2", "'cut' is on or off, not '2'")):
+            self.check(run("render", "--formula", kinds, "--set", setting), 2,
+                       f"zeroset: error: --set: {message}\n")
         self.check_usage(("render", "--formula", "x=0", "--set", "a"),
                          "--set: 'a' should be NAME=VALUE")
 
@@ -332,6 +341,30 @@ class Outputs(Folder):
     def test_every_preset_option_of_bounds(self):
         for bounds in ("sphere:1.5", "sphere:0.1,0,0,1.5", "box:1,1,1", "box:0,0,0.1,1,2,3", "none"):
             self.assertEqual(run(*self.SMALL, "--bounds", bounds).returncode, 0, bounds)
+
+
+class Settings(Folder):
+    FORMULA = ('param c = (0, 0.2, 0)\nparam shape = "round" in ["round", "square"]\n'
+               'param cut = on\nparam n = 2 integer\n'
+               'translate(sphere(0.5), c) & mix(r, max(abs(x), abs(y)), shape) <= n/4 & z <= 1 - cut')
+
+    def depth(self, *settings):
+        path = self.folder / "d.pfm"
+        result = run("render", "--formula", self.FORMULA, "--size", "24x24", "--depth", str(path),
+                     *(word for setting in settings for word in ("--set", setting)))
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return path.read_bytes()
+
+    def test_of_several_spellings_are_one(self):
+        default = self.depth()
+        for spellings in ((("c=0.1,0.3,0",), ("c.x=0.1", "c.y=0.3"), ("c.y=0.3", "c.x=+0.1")),
+                          (("shape=square",), ("shape=1",)),
+                          (("cut=off",), ("cut=false",), ("cut=0",)),
+                          (("n=3",), ("n=2.6",))):
+            pictures = {self.depth(*settings) for settings in spellings}
+            self.assertEqual(len(pictures), 1, spellings)
+            self.assertNotIn(default, pictures, spellings)
+        self.assertEqual(self.depth("shape=round", "cut=on", "n=2", "c=0,.2,0"), default)
 
 
 class Statistics(Folder):
