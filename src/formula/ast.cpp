@@ -46,6 +46,42 @@ struct Parts {
 
 }  // namespace
 
+std::string_view spelling(Relation relation) {
+    switch (relation) {
+        case Relation::equal:
+            return "=";
+        case Relation::less_equal:
+            return "<=";
+        case Relation::less:
+            return "<";
+        case Relation::greater_equal:
+            return ">=";
+        case Relation::greater:
+            return ">";
+    }
+    return "";
+}
+
+std::string_view spelling(ParameterType type) {
+    switch (type) {
+        case ParameterType::real:
+            return "real";
+        case ParameterType::integer:
+            return "integer";
+        case ParameterType::logarithmic:
+            return "logarithmic";
+        case ParameterType::angle:
+            return "angle";
+        case ParameterType::colour:
+            return "colour";
+        case ParameterType::choice:
+            return "choice";
+        case ParameterType::toggle:
+            return "toggle";
+    }
+    return "";
+}
+
 std::vector<ExpressionId> parts(const ExpressionNode& node) { return std::visit(Parts{}, node); }
 
 ExpressionId Program::add(ExpressionNode node, base::SourceSpan span) {

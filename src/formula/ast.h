@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -59,6 +60,9 @@ struct Power {
 };
 
 enum class Relation { equal, less_equal, less, greater_equal, greater };
+/// The sign, such as `<=`.
+std::string_view spelling(Relation relation);
+
 struct Comparison {
     Relation relation = Relation::equal;
     ExpressionId left{}, right{};
@@ -125,6 +129,8 @@ struct Definition {
 };
 
 using ParameterType = field::ParameterType;
+/// The word; the middle four are written in a declaration.
+std::string_view spelling(ParameterType type);
 
 /// param name = initial in [minimum, maximum] step s angle "label" group "g" tooltip "t"
 struct ParameterDeclaration {

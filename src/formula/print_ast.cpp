@@ -30,22 +30,6 @@ std::string_view mark(Joint joint) {
     return "";
 }
 
-std::string_view sign(Relation relation) {
-    switch (relation) {
-        case Relation::equal:
-            return "=";
-        case Relation::less_equal:
-            return "<=";
-        case Relation::less:
-            return "<";
-        case Relation::greater_equal:
-            return ">=";
-        case Relation::greater:
-            return ">";
-    }
-    return "";
-}
-
 /// The line of one node, without its parts.
 struct Head {
     std::string operator()(const Number& number) const { return fmt::format("{}", number.value); }
@@ -57,7 +41,7 @@ struct Head {
     std::string operator()(const Union&) const { return "union"; }
     std::string operator()(const Power&) const { return "power"; }
     std::string operator()(const Comparison& comparison) const {
-        return fmt::format("compare {}", sign(comparison.relation));
+        return fmt::format("compare {}", spelling(comparison.relation));
     }
     std::string operator()(const Call& call) const { return "call " + call.function; }
     std::string operator()(const Tuple&) const { return "tuple"; }
@@ -122,26 +106,6 @@ void print(const Program& program, ExpressionId id, std::size_t depth, std::stri
     for (const ExpressionId part : parts(node)) print(program, part, depth + 1, "", out);
 }
 
-std::string_view word(ParameterType type) {
-    switch (type) {
-        case ParameterType::real:
-            return "real";
-        case ParameterType::integer:
-            return "integer";
-        case ParameterType::logarithmic:
-            return "logarithmic";
-        case ParameterType::angle:
-            return "angle";
-        case ParameterType::colour:
-            return "colour";
-        case ParameterType::choice:
-            return "choice";
-        case ParameterType::toggle:
-            return "toggle";
-    }
-    return "";
-}
-
 void print_text(std::string_view heading, const std::optional<std::string>& text,
                 std::string& out) {
     if (text) out += fmt::format("  {} \"{}\"\n", heading, *text);
@@ -150,7 +114,7 @@ void print_text(std::string_view heading, const std::optional<std::string>& text
 void print(const Program& program, const ParameterDeclaration& parameter, std::string& out) {
     out += fmt::format("param {}\n", parameter.name);
     if (parameter.type != ParameterType::real) {
-        out += fmt::format("  type {}\n", word(parameter.type));
+        out += fmt::format("  type {}\n", spelling(parameter.type));
     }
     print_part(program, parameter.initial, 1, "initial", out);
     for (const std::string& it : parameter.choices) print_text("choice", it, out);

@@ -45,11 +45,10 @@ bool read_state(TokenStream& head, Iterate& iterate) {
 }
 
 std::optional<Relation> relation_of(std::string_view sign) {
-    if (sign == "=") return Relation::equal;
-    if (sign == "<=") return Relation::less_equal;
-    if (sign == "<") return Relation::less;
-    if (sign == ">=") return Relation::greater_equal;
-    if (sign == ">") return Relation::greater;
+    for (const Relation relation : {Relation::equal, Relation::less_equal, Relation::less,
+                                    Relation::greater_equal, Relation::greater}) {
+        if (sign == spelling(relation)) return relation;
+    }
     return std::nullopt;
 }
 

@@ -14,15 +14,6 @@ namespace {
 constexpr std::string_view form =
     "a parameter is written 'param a = 0.5 in [0, 2] step 0.1 \"label\"'";
 
-struct TypeWord {
-    std::string_view word;
-    ParameterType type;
-};
-constexpr TypeWord type_words[] = {{"integer", ParameterType::integer},
-                                   {"logarithmic", ParameterType::logarithmic},
-                                   {"angle", ParameterType::angle},
-                                   {"colour", ParameterType::colour}};
-
 /// `on` or `off` as the whole value: nothing follows but modifiers.
 bool at_toggle(const TokenStream& stream) {
     if (!stream.at("on") && !stream.at("off")) return false;
@@ -196,8 +187,9 @@ bool read_modifier(TokenStream& stream, ParameterDeclaration& parameter, bool be
     if (stream.at("group")) return read_text(stream, parameter.group, "a group");
     if (stream.at("tooltip")) return read_text(stream, parameter.tooltip, "a tooltip");
     if (stream.at("step")) return read_step(stream, parameter);
-    for (const auto& [word, type] : type_words) {
-        if (stream.at(word)) return read_type(stream, parameter, type);
+    for (const ParameterType type : {ParameterType::integer, ParameterType::logarithmic,
+                                     ParameterType::angle, ParameterType::colour}) {
+        if (stream.at(spelling(type))) return read_type(stream, parameter, type);
     }
     fail_at_modifier(stream, behind_value);
     return false;
