@@ -27,29 +27,9 @@ struct Reading {
     }
 };
 
-/// The word for a type in messages: "the integer 'n'".
-std::string_view noun(Type type) {
-    switch (type) {
-        case Type::real:
-            break;
-        case Type::integer:
-            return "integer ";
-        case Type::logarithmic:
-            return "logarithmic ";
-        case Type::angle:
-            return "angle ";
-        case Type::colour:
-            return "colour ";
-        case Type::choice:
-            return "choice ";
-        case Type::toggle:
-            return "toggle ";
-    }
-    return "";
-}
-
+/// The parameter with its type, for messages: "the integer 'n'".
 std::string named(const ParameterDeclaration& declaration) {
-    return fmt::format("{}'{}'", noun(declaration.type), declaration.name);
+    return fmt::format("the {} '{}'", spelling(declaration.type), declaration.name);
 }
 
 /// The finite value of a constant; an error otherwise. `what` begins the sentence.
@@ -58,10 +38,10 @@ std::optional<double> constant(Reading& reading, graph::NodeId number, base::Sou
     Lowering& lowering = reading.lowering;
     const std::optional<double> value = lowering.facts.constant(lowering.field.graph, number);
     if (value && std::isfinite(*value)) return value;
-    reading.fail(span, value ? what + " is not a finite number"
-                             : what +
-                                   " must be a constant; it cannot depend on the point, the "
-                                   "time or another parameter");
+    reading.fail(span, fmt::format("{} {}", what,
+                                   value ? "is not a finite number"
+                                         : "must be a constant; it cannot depend on the point, the "
+                                           "time or another parameter"));
     return std::nullopt;
 }
 
@@ -172,9 +152,8 @@ void read_step(Reading& reading) {
 void expect_whole(Reading& reading, ExpressionId id, double value, std::string_view what,
                   double hint) {
     if (value == std::round(value)) return;
-    reading.fail(reading.lowering.span(id),
-                 fmt::format("{} {} of the {} is not whole; write {}", what, value,
-                             named(reading.declaration), hint));
+    reading.fail(reading.lowering.span(id), fmt::format("{} {} of {} is not whole; write {}", what,
+                                                        value, named(reading.declaration), hint));
 }
 
 void check_integer(Reading& reading) {
@@ -197,12 +176,11 @@ void check_logarithmic(Reading& reading) {
     const ParameterDeclaration& declaration = reading.declaration;
     if (declaration.range && reading.parameter.minimum <= 0) {
         reading.fail(reading.lowering.span((*declaration.range)[0]),
-                     fmt::format("the minimum {} of the {} must be above 0; write for example 0.01",
+                     fmt::format("the minimum {} of {} must be above 0; write for example 0.01",
                                  reading.parameter.minimum, named(declaration)));
     } else if (std::ranges::min(reading.parameter.initial) <= 0) {
-        reading.fail(
-            reading.lowering.span(declaration.initial),
-            fmt::format("the initial value of the {} must be above 0", named(declaration)));
+        reading.fail(reading.lowering.span(declaration.initial),
+                     fmt::format("the initial value of {} must be above 0", named(declaration)));
     }
 }
 
@@ -222,7 +200,7 @@ void check_type(Reading& reading) {
         case Type::colour:
             if (reading.parameter.size() == 3) break;
             reading.fail(reading.lowering.span(declaration.initial),
-                         fmt::format("the initial value of the {} needs red, green and blue; write "
+                         fmt::format("the initial value of {} needs red, green and blue; write "
                                      "for example (1, 0.5, 0)",
                                      named(declaration)));
     }

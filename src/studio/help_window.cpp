@@ -36,7 +36,7 @@ constexpr Key mouse[] = {
     {"wheel", "come nearer, go away"},
     {"double-click on a slider", "back to its default"},
     {"Ctrl+click on a slider", "type a number"},
-    {"right-click on a colour", "back to its default"},
+    {"right-click on a colour, a list or a box", "back to its default"},
 };
 
 template <std::size_t Count>

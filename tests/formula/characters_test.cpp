@@ -27,6 +27,10 @@ TEST(Characters, says_which_ascii_sign_to_write) {
               "1:1: '{' is not a sign of the language; write '('\n"
               "1:3: '}' is not a sign of the language; write ')'");
     EXPECT_EQ(errors_of("x != 1"), "1:3: there is no '!='; compare with '=', '<=' or '>='");
+    EXPECT_EQ(errors_of("x ! 1"),
+              "1:3: '!' is not a sign of the language; "
+              "write a comparison with '=', '<=' or '>='");
+    EXPECT_EQ(errors_of("x' = 1"), "1:2: ''' is not a sign of the language; write no quote");
     EXPECT_EQ(errors_of("x @ 1"), "1:3: '@' is not a sign of the language");
     EXPECT_EQ(errors_of("größe = 1"),
               "1:3: 'ö' cannot be used; names are made of the letters a to z, digits and '_'\n"

@@ -41,6 +41,12 @@ TEST(Tokens, signs_of_other_languages_get_a_hint) {
     EXPECT_EQ(errors_of("x && y"), "1:3: unknown operator '&&'; write '&' for an intersection");
     EXPECT_EQ(errors_of("x =< y"), "1:3: unknown operator '=<'; write '<='");
     EXPECT_EQ(errors_of("x => y"), "1:3: unknown operator '=>'; write '>='");
+    EXPECT_EQ(errors_of("x =<= y"), "1:3: unknown operator '=<='; write '<='");
+    EXPECT_EQ(errors_of("x =>= y"), "1:3: unknown operator '=>='; write '>='");
+    EXPECT_EQ(errors_of("x <== y"), "1:3: unknown operator '<=='; write '<='");
+    EXPECT_EQ(errors_of("x >== y"), "1:3: unknown operator '>=='; write '>='");
+    EXPECT_EQ(errors_of("x << y"), "1:3: unknown operator '<<'; write '<'");
+    EXPECT_EQ(errors_of("x >> y"), "1:3: unknown operator '>>'; write '>'");
     EXPECT_EQ(errors_of("x <> y"), "1:3: unknown operator '<>'; compare with '=', '<=' or '>='");
     EXPECT_EQ(errors_of("x // y"),
               "1:3: unknown operator '//'; write '/' for a quotient, or '#' for a comment");

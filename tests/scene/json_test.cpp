@@ -180,6 +180,7 @@ TEST(JsonSyntax, explains_mistakes_in_plain_words) {
         {"{\"a\": }", "6|}|the value of the field is missing"},
         {"{\"a\": 1,}", "8|}|the ',' before this bracket must go"},
         {"[1, ]", "4|]|the ',' before this bracket must go"},
+        {"[,1]", "1|,|a value, or ']', is missing"},
         {"[1,,2]", "3|,|a value is missing"},
         {"{1: 2}", "1|1|the name of a field in double quotes, or '}', is missing"},
         {"{\"a\": 1, 2}", "9|2|the name of a field in double quotes is missing"},
