@@ -7,39 +7,55 @@
 #include <vector>
 
 #include "analysis/spectral_norm.h"
-#include "graph/extract.h"
-#include "passes/differentiate.h"
+#include "numeric/jet.h"
 
 namespace analysis {
 namespace {
 
+using numeric::Dual;
 using numeric::Interval;
+using numeric::SecondOrder;
 
-/// A tape with its parameters loaded, over cells and at points.
+/// A formula with its parameters loaded, evaluated on numbers of one kind.
+template <class T>
 class Evaluator {
 public:
-    Evaluator(const eval::Tape& tape, std::span<const double> parameters) : tape_(tape) {
-        const std::vector<Interval> intervals(parameters.begin(), parameters.end());
-        eval::load_parameters<Interval>(tape, intervals, interval_registers_);
-        eval::load_parameters<double>(tape, parameters, registers_);
-        interval_roots_.resize(tape.roots.size());
-        roots_.resize(tape.roots.size());
+    Evaluator(const eval::Tape& f, std::span<const double> parameters) : f_(f) {
+        std::vector<T> loaded;
+        for (const double parameter : parameters) loaded.push_back(T(parameter));
+        eval::load_parameters<T>(f, loaded, registers_);
     }
 
-    std::span<const Interval> over(const Cell& cell) {
-        eval::evaluate_loaded<Interval>(tape_, cell.sides(), interval_roots_, interval_registers_);
-        return interval_roots_;
-    }
-    std::span<const double> at(glm::dvec3 point) {
-        const std::array variables{point.x, point.y, point.z};
-        eval::evaluate_loaded<double>(tape_, variables, roots_, registers_);
-        return roots_;
+    T operator()(const std::array<T, 3>& variables) {
+        T value;
+        eval::evaluate_loaded<T>(f_, variables, std::span<T>(&value, 1), registers_);
+        return value;
     }
 
 private:
-    const eval::Tape& tape_;
-    std::vector<Interval> interval_registers_, interval_roots_;
-    std::vector<double> registers_, roots_;
+    const eval::Tape& f_;
+    std::vector<T> registers_;
+};
+
+/// A formula with derivatives up to an order, over cells and at points.
+template <int order>
+class JetEvaluator {
+public:
+    JetEvaluator(const eval::Tape& f, std::span<const double> parameters)
+        : over_(f, parameters), at_(f, parameters) {}
+
+    auto over(const Cell& cell) { return over_(variables<Interval>(cell.sides())); }
+    auto at(glm::dvec3 point) { return at_(variables<double>({point.x, point.y, point.z})); }
+
+private:
+    template <class T>
+    static std::array<numeric::Jet<T, 3, order>, 3> variables(const std::array<T, 3>& at) {
+        using J = numeric::Jet<T, 3, order>;
+        return {J::variable(at[0], 0), J::variable(at[1], 1), J::variable(at[2], 2)};
+    }
+
+    Evaluator<numeric::Jet<Interval, 3, order>> over_;
+    Evaluator<numeric::Jet<double, 3, order>> at_;
 };
 
 bool breaks(const Interval& f) { return f.partial || f.jumps; }
@@ -51,76 +67,85 @@ bool has_gap(std::span<const Interval> derivatives, const Interval& f) {
         derivatives, [&](const Interval& d) { return d.is_empty() || (d.partial && !f.partial); });
 }
 
-double finite_or_zero(double x) { return std::isfinite(x) ? x : 0; }
-
-CellBounds gradient_on(Evaluator& evaluator, const Cell& cell) {
-    const std::span<const Interval> roots = evaluator.over(cell);
-    if (roots[0].is_empty()) return {0, 0};
-    CellBounds result;
-    result.upper = has_gap(roots.subspan(1), roots[0]) ? numeric::infinity
-                                                       : hypot3(roots[1], roots[2], roots[3]).hi;
-    const std::span<const double> here = evaluator.at(cell.middle());
-    result.lower = finite_or_zero(numeric::hypot3(here[1], here[2], here[3]));
-    return result;
+template <class T>
+Symmetric<T> matrix(const std::array<T, 6>& hessian) {
+    const auto entry = [&](int i, int j) {
+        return hessian[static_cast<std::size_t>(numeric::triangle_place(i, j, 3))];
+    };
+    return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
 }
 
-CellBounds second_derivative_on(Evaluator& evaluator, const Cell& cell) {
-    const std::span<const Interval> roots = evaluator.over(cell);
-    if (roots[0].is_empty()) return {0, 0};
-    const std::span<const Interval> gradient = roots.subspan(1, 3), hessian = roots.subspan(4);
-    const bool kinks = std::ranges::any_of(gradient, &Interval::jumps);
-    CellBounds result;
-    if (kinks || has_gap(gradient, roots[0]) || has_gap(hessian, roots[0])) {
-        result.upper = numeric::infinity;
-    } else {
-        result.upper = spectral_norm_bound(Symmetric<Interval>{hessian[0], hessian[1], hessian[2],
-                                                               hessian[3], hessian[4], hessian[5]});
+/// The largest value that was found in a region; to be asked again only where more is possible.
+class Sampled {
+public:
+    explicit Sampled(const Region& region) : region_(region) {}
+
+    template <class Value>
+    double at_middle(const Cell& cell, double upper, Value value) {
+        if (upper <= largest_ || !contains(region_, cell.middle())) return 0;
+        const double found = value(cell.middle());
+        if (!std::isfinite(found)) return 0;
+        largest_ = std::max(largest_, found);
+        return found;
     }
-    const std::span<const double> h = evaluator.at(cell.middle()).subspan(4);
-    // The bound is above the norm by 2 % at most.
-    result.lower =
-        0.98 *
-        finite_or_zero(spectral_norm_bound(Symmetric<double>{h[0], h[1], h[2], h[3], h[4], h[5]}));
-    return result;
+
+private:
+    Region region_;
+    double largest_ = 0;
+};
+
+double gradient_on(const Dual<Interval>& f) {
+    if (f.value.is_empty()) return 0;
+    if (has_gap(f.gradient, f.value)) return numeric::infinity;
+    return hypot3(f.gradient[0], f.gradient[1], f.gradient[2]).hi;
+}
+
+double second_derivative_on(const SecondOrder<Interval>& f) {
+    if (f.value.is_empty()) return 0;
+    const bool kinks = std::ranges::any_of(f.gradient, &Interval::jumps);
+    if (kinks || has_gap(f.gradient, f.value) || has_gap(f.hessian, f.value)) {
+        return numeric::infinity;
+    }
+    return spectral_norm_bound(matrix(f.hessian));
 }
 
 }  // namespace
 
-DerivativeTapes derivative_tapes(const graph::Graph& graph, graph::NodeId f) {
-    // A graph of its own, so that many leaves take no longer than their parts together.
-    graph::Extract part = extract(graph, std::array{f});
-    graph::Graph& g = part.graph;
-    const graph::NodeId value = part.roots[0];
-    const std::array first = passes::gradient(g, value);
-    const std::vector second = passes::gradients(g, first);
-    const std::array all{value,        first[0],     first[1],     first[2],     second[0][0],
-                         second[1][1], second[2][2], second[0][1], second[0][2], second[1][2]};
-    const std::span<const graph::NodeId> roots(all);
-    return {eval::make_tape(g, roots.first(1)), eval::make_tape(g, roots.first(4)),
-            eval::make_tape(g, roots)};
-}
-
-bool may_break(const DerivativeTapes& tapes, const Region& region,
-               std::span<const double> parameters, const Effort& effort) {
-    Evaluator evaluator(tapes.value, parameters);
+bool may_break(const eval::Tape& f, const Region& region, std::span<const double> parameters,
+               const Effort& effort) {
+    Evaluator<Interval> evaluator(f, parameters);
     const double proven = supremum_bound(region, effort, [&](const Cell& cell) {
-        return CellBounds{breaks(evaluator.over(cell)[0]) ? numeric::infinity : 0, 0};
+        return CellBounds{breaks(evaluator(cell.sides())) ? numeric::infinity : 0, 0};
     });
     return proven != 0;
 }
 
-double gradient_bound(const DerivativeTapes& tapes, const Region& region,
-                      std::span<const double> parameters, const Effort& effort) {
-    Evaluator evaluator(tapes.gradient, parameters);
-    return supremum_bound(region, effort,
-                          [&](const Cell& cell) { return gradient_on(evaluator, cell); });
+double gradient_bound(const eval::Tape& f, const Region& region, std::span<const double> parameters,
+                      const Effort& effort) {
+    JetEvaluator<1> evaluator(f, parameters);
+    Sampled sampled(region);
+    return supremum_bound(region, effort, [&](const Cell& cell) {
+        const double upper = gradient_on(evaluator.over(cell));
+        const double lower = sampled.at_middle(cell, upper, [&](glm::dvec3 point) {
+            const auto [dx, dy, dz] = evaluator.at(point).gradient;
+            return numeric::hypot3(dx, dy, dz);
+        });
+        return CellBounds{upper, lower};
+    });
 }
 
-double second_derivative_bound(const DerivativeTapes& tapes, const Region& region,
+double second_derivative_bound(const eval::Tape& f, const Region& region,
                                std::span<const double> parameters, const Effort& effort) {
-    Evaluator evaluator(tapes.hessian, parameters);
-    return supremum_bound(region, effort,
-                          [&](const Cell& cell) { return second_derivative_on(evaluator, cell); });
+    JetEvaluator<2> evaluator(f, parameters);
+    Sampled sampled(region);
+    return supremum_bound(region, effort, [&](const Cell& cell) {
+        const double upper = second_derivative_on(evaluator.over(cell));
+        const double lower = sampled.at_middle(cell, upper, [&](glm::dvec3 point) {
+            // The bound of a norm is above it by 2 % at most.
+            return 0.98 * spectral_norm_bound(matrix(evaluator.at(point).hessian));
+        });
+        return CellBounds{upper, lower};
+    });
 }
 
 }  // namespace analysis

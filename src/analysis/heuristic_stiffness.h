@@ -15,7 +15,7 @@ inline constexpr double stiff_steps = 200;
 /// median step over points spread in the region: |f| / L by the bound L of the gradient or
 /// sqrt(2 |f| / M) by the bound M of the second derivative, whichever is larger. +infinity if both
 /// bounds are infinite.
-double heuristic_steps(const DerivativeTapes& tapes, const Region& region,
+double heuristic_steps(const eval::Tape& f, const Region& region,
                        std::span<const double> parameters, double lipschitz,
                        double second_derivative);
 

@@ -19,7 +19,7 @@ struct LeafBounds {
 };
 
 /// Takes a few milliseconds. `parameters` is indexed by ParameterId.
-LeafBounds leaf_bounds(const DerivativeTapes& tapes, const Region& region,
+LeafBounds leaf_bounds(const eval::Tape& f, const Region& region,
                        std::span<const double> parameters, const Effort& effort = {});
 
 }  // namespace analysis

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "analysis/leaf_bounds.h"
-#include "eval/tape.h"
 #include "formula/lower.h"
 #include "passes/pipeline.h"
 
@@ -34,7 +33,7 @@ public:
         // Rays without an end leave every region that could be bounded: the first order takes over.
         const analysis::LeafBounds bounds =
             unbounded_ ? analysis::LeafBounds{}
-                       : analysis::leaf_bounds(formula_.derivatives.at(leaf), region_, values_);
+                       : analysis::leaf_bounds(formula_.tapes.at(leaf), region_, values_);
         return known_[leaf] = bounds;
     }
 
@@ -79,8 +78,8 @@ base::Result<Formula> compile_formula(std::string_view text) {
     for (field::FieldId id : leaves(formula.field, formula.field.root)) {
         const auto* leaf = std::get_if<field::Formula>(&formula.field[id]);
         if (leaf && (leaf->metric == field::Metric::scalar || leaf->kind == field::Kind::sheet)) {
-            formula.derivatives.try_emplace(
-                id, analysis::derivative_tapes(formula.field.graph, leaf->value));
+            formula.tapes.try_emplace(
+                id, eval::make_tape(formula.field.graph, std::array{leaf->value}));
         }
     }
     return formula;

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/derivative_bounds.h"
 #include "base/result.h"
 #include "compile/parameter_values.h"
+#include "eval/tape.h"
 #include "field/field.h"
 #include "scene/document.h"
 #include "shader/program_source.h"
@@ -21,8 +21,8 @@ namespace compile {
 struct Formula {
     field::Field field;
     base::Diagnostics warnings;
-    /// For each leaf that is no distance what its bounds are found from.
-    std::map<field::FieldId, analysis::DerivativeTapes> derivatives;
+    /// For each leaf that is no distance the tape that its bounds are found from.
+    std::map<field::FieldId, eval::Tape> tapes;
 };
 
 /// Spans are bytes of the text. All problems are reported, not only the first.

@@ -3,6 +3,8 @@
 // numbers.
 #pragma once
 
+#include <algorithm>
+
 #include "numeric/real.h"
 #include "numeric/rounding.h"
 
@@ -51,21 +53,60 @@ inline double mignitude(const Interval& a) {
     return a.lo > 0 ? a.lo : -a.hi;
 }
 
-Interval neg(const Interval& a);
-Interval add(const Interval& a, const Interval& b);
-Interval sub(const Interval& a, const Interval& b);
-Interval mul(const Interval& a, const Interval& b);
+inline Interval neg(const Interval& a) {
+    if (a.is_empty()) return a;
+    return {-a.hi, -a.lo, a.partial, a.jumps};
+}
+/// Sums, products and quotients of all intervals, also of those that are not as usual.
+Interval careful_sum(const Interval& a, const Interval& b);
+Interval careful_product(const Interval& a, const Interval& b);
+Interval careful_quotient(const Interval& a, const Interval& b);
+
+[[gnu::always_inline]] inline Interval add(const Interval& a, const Interval& b) {
+    const double lo = a.lo + b.lo, hi = a.hi + b.hi;
+    // Not so for infinite and empty arguments.
+    if (!std::isfinite(hi - lo)) return careful_sum(a, b);
+    return {sum_down(a.lo, b.lo, lo), -sum_down(-a.hi, -b.hi, -hi), a.partial || b.partial,
+            a.jumps || b.jumps};
+}
+inline Interval sub(const Interval& a, const Interval& b) { return add(a, neg(b)); }
+[[gnu::always_inline]] inline Interval mul(const Interval& a, const Interval& b) {
+    const double p = a.lo * b.lo, q = a.lo * b.hi, r = a.hi * b.lo, s = a.hi * b.hi;
+    const double lo = std::min(std::min(p, q), std::min(r, s));
+    const double hi = std::max(std::max(p, q), std::max(r, s));
+    // Infinite and empty arguments make this sum infinite or NaN. An end that is 0 may be exact or
+    // rounded, and so may a product of single numbers.
+    const bool usual = std::isfinite((p + q) + (r + s)) && lo != 0 && hi != 0 && lo != hi;
+    if (!usual) return careful_product(a, b);
+    return {next_down_from_nonzero(lo), next_up_from_nonzero(hi), a.partial || b.partial,
+            a.jumps || b.jumps};
+}
 /// Partial where b may be 0: the whole line, or a half-line if b has one sign, or nothing if b is
-/// only 0. Signed zeros are not
-/// told apart, so that x / -0, an infinity of the other side, is covered by `partial` only.
-Interval div(const Interval& a, const Interval& b);
+/// only 0. Signed zeros are not told apart, so that x / -0, an infinity of the other side, is
+/// covered by `partial` only.
+inline Interval div(const Interval& a, const Interval& b) {
+    const double p = a.lo / b.lo, q = a.lo / b.hi, r = a.hi / b.lo, s = a.hi / b.hi;
+    const double lo = std::min(std::min(p, q), std::min(r, s));
+    const double hi = std::max(std::max(p, q), std::max(r, s));
+    // As in a product; and b may be finite, or empty, and of one sign or not.
+    const bool usual = std::isfinite((p + q) + (r + s)) && lo != 0 && hi != 0 &&
+                       (b.lo > 0 || b.hi < 0) && std::isfinite(b.hi - b.lo);
+    if (!usual) return careful_quotient(a, b);
+    return {next_down_from_nonzero(lo), next_up_from_nonzero(hi), a.partial || b.partial,
+            a.jumps || b.jumps};
+}
+
 inline Interval operator-(const Interval& a) { return neg(a); }
 inline Interval operator+(const Interval& a, const Interval& b) { return add(a, b); }
 inline Interval operator-(const Interval& a, const Interval& b) { return sub(a, b); }
 inline Interval operator*(const Interval& a, const Interval& b) { return mul(a, b); }
 inline Interval operator/(const Interval& a, const Interval& b) { return div(a, b); }
 /// a * a for the same a: never negative.
-Interval square(const Interval& a);
+inline Interval square(const Interval& a) {
+    if (a.is_empty()) return a;
+    const double low = mignitude(a), high = magnitude(a);
+    return {mul_down(low, low), mul_up(high, high), a.partial, a.jumps};
+}
 /// Where b is a single whole number the power with its own monotone pieces; else negative bases are
 /// partial, and count with both signs if b has a whole number.
 Interval pow(const Interval& a, const Interval& b);

@@ -9,13 +9,6 @@ namespace {
 
 bool is_infinite(double x) { return std::isinf(x); }
 
-/// The sum of two ends; where infinities cancel nothing is known.
-double sum_down(double a, double b) {
-    const double sum = add_down(a, b);
-    return std::isnan(sum) ? -infinity : sum;
-}
-double sum_up(double a, double b) { return -sum_down(-a, -b); }
-
 /// True if an infinity of a may meet a zero of b.
 bool infinity_meets_zero(const Interval& a, const Interval& b) {
     return (is_infinite(a.lo) || is_infinite(a.hi)) && b.contains(0);
@@ -70,22 +63,17 @@ Interval hull(const Interval& a, const Interval& b) {
     return {std::min(a.lo, b.lo), std::max(a.hi, b.hi), a.partial || b.partial, a.jumps || b.jumps};
 }
 
-Interval neg(const Interval& a) {
-    if (a.is_empty()) return a;
-    return {-a.hi, -a.lo, a.partial, a.jumps};
-}
-
-Interval add(const Interval& a, const Interval& b) {
+Interval careful_sum(const Interval& a, const Interval& b) {
     if (a.is_empty() || b.is_empty()) return Interval::empty();
+    const double lo = add_down(a.lo, b.lo), hi = add_up(a.hi, b.hi);
+    // Where infinities cancel nothing is known.
     const bool cancels =
         (a.hi == infinity && b.lo == -infinity) || (a.lo == -infinity && b.hi == infinity);
-    return {sum_down(a.lo, b.lo), sum_up(a.hi, b.hi), a.partial || b.partial || cancels,
-            a.jumps || b.jumps};
+    return {std::isnan(lo) ? -infinity : lo, std::isnan(hi) ? infinity : hi,
+            a.partial || b.partial || cancels, a.jumps || b.jumps};
 }
 
-Interval sub(const Interval& a, const Interval& b) { return add(a, neg(b)); }
-
-Interval mul(const Interval& a, const Interval& b) {
+Interval careful_product(const Interval& a, const Interval& b) {
     if (a.is_empty() || b.is_empty()) return Interval::empty();
     const bool partial =
         a.partial || b.partial || infinity_meets_zero(a, b) || infinity_meets_zero(b, a);
@@ -104,13 +92,7 @@ Interval mul(const Interval& a, const Interval& b) {
     return result;
 }
 
-Interval square(const Interval& a) {
-    if (a.is_empty()) return a;
-    const double low = mignitude(a), high = magnitude(a);
-    return {mul_down(low, low), mul_up(high, high), a.partial, a.jumps};
-}
-
-Interval div(const Interval& a, const Interval& b) {
+Interval careful_quotient(const Interval& a, const Interval& b) {
     if (a.is_empty() || b.is_empty()) return Interval::empty();
     Interval result;
     if (!b.contains(0)) {

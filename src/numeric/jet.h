@@ -128,6 +128,12 @@ Sum<typename J::Number> product_of_slopes(const J& g, const J& h, bool same, int
         if (direct) sum.add(i == j ? square(g.slope(i)) : g.slope(i) * g.slope(j));
         return sum;
     }
+    if (i == j) {
+        if (!direct) return sum;
+        const auto half = g.slope(i) * h.slope(i);
+        sum.add(half + half);
+        return sum;
+    }
     if (direct) sum.add(g.slope(i) * h.slope(j));
     if (g.has_slope(j) && h.has_slope(i)) sum.add(g.slope(j) * h.slope(i));
     return sum;

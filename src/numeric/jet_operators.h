@@ -68,11 +68,9 @@ J mul(const J& a, const J& b) {
     }
     if constexpr (J::has_hessian) {
         for_each_pair<J::size>([&](int i, int j, int place) {
-            Sum<typename J::Number> bend;
+            Sum<typename J::Number> bend = product_of_slopes(a, b, false, i, j);
             if (a.has_bend(place)) bend.add(a.bend(place) * b.value);
             if (b.has_bend(place)) bend.add(b.bend(place) * a.value);
-            if (a.has_slope(i) && b.has_slope(j)) bend.add(a.slope(i) * b.slope(j));
-            if (a.has_slope(j) && b.has_slope(i)) bend.add(a.slope(j) * b.slope(i));
             if (bend.any) result.set_bend(place, bend.total);
         });
     }

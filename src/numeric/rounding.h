@@ -10,7 +10,7 @@
 
 namespace numeric {
 
-/// The next larger double; +infinity stays. Both zeros count as one number.
+/// The next larger double; +infinity and NaN stay. Both zeros count as one number.
 inline double next_up(double x) {
     if (x == 0) return std::numeric_limits<double>::denorm_min();
     if (x == std::numeric_limits<double>::infinity()) return x;
@@ -21,6 +21,13 @@ inline double next_up(double x) {
 /// The next smaller double; -infinity stays.
 inline double next_down(double x) { return -next_up(-x); }
 
+/// The same for finite numbers other than 0, without a branch.
+inline double next_down_from_nonzero(double x) {
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    return std::bit_cast<double>(bits - 1 - 2 * (bits >> 63));  // a negative number grows in size
+}
+inline double next_up_from_nonzero(double x) { return -next_down_from_nonzero(-x); }
+
 /// `steps` doubles further up or down.
 inline double steps_up(double x, int steps) {
     for (int i = 0; i < steps; ++i) x = next_up(x);
@@ -28,14 +35,20 @@ inline double steps_up(double x, int steps) {
 }
 inline double steps_down(double x, int steps) { return -steps_up(-x, steps); }
 
+/// The largest double <= a + b, given that sum rounded to nearest, which is finite; or one below it
+/// near overflow.
+inline double sum_down(double a, double b, double sum) {
+    // Knuth's TwoSum: sum + error is a + b exactly, unless something overflows; then it is NaN. A
+    // sum of 0 is exact. There is no branch, for the sides alternate at random.
+    const double part = sum - a;
+    const double error = (a - (sum - part)) + (b - part);
+    const double below = next_down_from_nonzero(sum);
+    return error >= 0 ? sum : below;
+}
 /// The largest double <= a + b, or one below it near overflow. NaN for infinities that cancel.
 inline double add_down(double a, double b) {
     const double sum = a + b;
-    // Knuth's TwoSum: sum + error is a + b exactly, unless something overflows; then it is NaN.
-    const double part = sum - a;
-    const double error = (a - (sum - part)) + (b - part);
-    if (error >= 0 || std::isnan(sum)) return sum;
-    return next_down(sum);
+    return std::isfinite(sum) ? sum_down(a, b, sum) : next_down(sum);
 }
 inline double add_up(double a, double b) { return -add_down(-a, -b); }
 

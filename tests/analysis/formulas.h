@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "eval/tape.h"
 #include "graph/build.h"
 #include "passes/pipeline.h"
 
@@ -25,6 +26,10 @@ struct Formula {
         value = passes::run(graph, std::array{built.id})[0];
     }
 };
+
+inline eval::Tape tape_of(const Formula& f) {
+    return eval::make_tape(f.graph, std::array{f.value});
+}
 
 inline graph::Expr squared(graph::Expr a) { return a * a; }
 

@@ -15,9 +15,7 @@ using numeric::infinity;
 
 constexpr std::array no_parameters{0.0};
 
-LeafBounds bounds_of(const Formula& f) {
-    return leaf_bounds(derivative_tapes(f.graph, f.value), Region{}, no_parameters);
-}
+LeafBounds bounds_of(const Formula& f) { return leaf_bounds(tape_of(f), Region{}, no_parameters); }
 
 TEST(LeafBounds, of_a_tame_surface_are_finite_and_not_stiff) {
     const LeafBounds bounds = bounds_of(Formula(barth_sextic));
@@ -45,19 +43,19 @@ TEST(LeafBounds, of_one_steep_place_far_from_the_rest_are_stiff) {
 TEST(HeuristicStiffness, counts_the_steps_through_a_distance_field) {
     // |r - 2| has the median 2 (1 - (1/2)^(1/3)) over the ball of radius 2.
     const Formula f([](Expr x, Expr y, Expr z) { return hypot(x, y, z) - 2.0; });
-    const DerivativeTapes tapes = derivative_tapes(f.graph, f.value);
-    const double steps = heuristic_steps(tapes, Region{}, no_parameters, 1, infinity);
+    const eval::Tape tape = tape_of(f);
+    const double steps = heuristic_steps(tape, Region{}, no_parameters, 1, infinity);
     EXPECT_NEAR(steps, 4 / (2 * (1 - std::cbrt(0.5))), 0.3);
-    EXPECT_NEAR(heuristic_steps(tapes, Region{}, no_parameters, 10, infinity), 10 * steps, 1e-9);
-    EXPECT_EQ(heuristic_steps(tapes, Region{}, no_parameters, infinity, infinity), infinity);
+    EXPECT_NEAR(heuristic_steps(tape, Region{}, no_parameters, 10, infinity), 10 * steps, 1e-9);
+    EXPECT_EQ(heuristic_steps(tape, Region{}, no_parameters, infinity, infinity), infinity);
 }
 
 TEST(HeuristicStiffness, takes_the_better_of_both_bounds) {
     const Formula f([](Expr x, Expr, Expr) { return 0.0 * x + 8.0; });
-    const DerivativeTapes tapes = derivative_tapes(f.graph, f.value);
+    const eval::Tape tape = tape_of(f);
     // Steps of 8 / 16 and sqrt(16 / 1).
-    EXPECT_NEAR(heuristic_steps(tapes, Region{}, no_parameters, 16, infinity), 8, 1e-12);
-    EXPECT_NEAR(heuristic_steps(tapes, Region{}, no_parameters, 16, 1), 1, 1e-12);
+    EXPECT_NEAR(heuristic_steps(tape, Region{}, no_parameters, 16, infinity), 8, 1e-12);
+    EXPECT_NEAR(heuristic_steps(tape, Region{}, no_parameters, 16, 1), 1, 1e-12);
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "eval/quad.h"
 #include "eval/random_expression.h"
 #include "eval/tape.h"
+#include "eval/wide.h"
 #include "graph/print.h"
 #include "passes/differentiate.h"
 
@@ -111,12 +111,12 @@ Point random_direction(Random& random) {
 }
 
 bool near(const Quad& a, const Quad& b, double relative, double absolute) {
-    return abs(a - b).q <= absolute + relative * max(abs(a), abs(b)).q;
+    return abs(a - b).number <= absolute + relative * max(abs(a), abs(b)).number;
 }
 
 /// True where derivatives are not so large that differences say nothing.
 bool is_tame(const SecondOrder<Quad, 3>& jet) {
-    const auto small = [](const Quad& a) { return abs(a).q < 1e4; };
+    const auto small = [](const Quad& a) { return abs(a).number < 1e4; };
     return jet.smooth && small(jet.value) && std::ranges::all_of(jet.gradient, small) &&
            std::ranges::all_of(jet.hessian, small);
 }
@@ -203,7 +203,7 @@ bool holds(const Interval& interval, double value) {
     return interval.contains(value) || (!std::isfinite(value) && interval.partial);
 }
 bool holds(const Interval& interval, const Quad& value) {
-    const bool contains = interval.lo <= value.q && value.q <= interval.hi;
+    const bool contains = interval.lo <= value.number && value.number <= interval.hi;
     return contains || (!is_regular(value) && interval.partial);
 }
 
