@@ -8,6 +8,7 @@
 
 #include "formula/built_in.h"
 #include "formula/suggest.h"
+#include "formula/user_function.h"
 
 namespace formula {
 namespace {
@@ -27,7 +28,15 @@ std::optional<NamedArgument> named(const Lowering& lowering, ExpressionId id) {
     return NamedArgument{name->text, left.span, comparison->right};
 }
 
-std::string unknown_argument(const Call& call, std::string_view name, std::span<const Slot> slots) {
+/// How the function that is called here is called.
+std::string signature_of(const Lowering& lowering, const Call& call) {
+    const Binding* binding = find_binding(lowering.scope, call.function);
+    const auto* function = binding ? std::get_if<FunctionValue>(&binding->value) : nullptr;
+    return function && function->definition ? signature(*function) : signature(call.function);
+}
+
+std::string unknown_argument(const Lowering& lowering, const Call& call, std::string_view name,
+                             std::span<const Slot> slots) {
     std::vector<std::string_view> names;
     for (const Slot& slot : slots) names.push_back(slot.name);
     const std::string_view meant = nearest(name, names);
@@ -36,7 +45,7 @@ std::string unknown_argument(const Call& call, std::string_view name, std::span<
                            meant);
     }
     return fmt::format("'{}' has no argument '{}'; it is called '{}'", call.function, name,
-                       signature(call.function));
+                       signature_of(lowering, call));
 }
 
 /// Fills the slots of one call, argument by argument.
@@ -58,7 +67,7 @@ struct Binder {
         by_name = true;
         const auto slot = std::ranges::find(slots, argument.name, &Slot::name);
         if (slot == slots.end()) {
-            return fail(argument.span, unknown_argument(call, argument.name, slots));
+            return fail(argument.span, unknown_argument(lowering, call, argument.name, slots));
         }
         std::optional<ExpressionId>& place = bound[static_cast<std::size_t>(slot - slots.begin())];
         if (place) {
@@ -77,31 +86,33 @@ struct Binder {
         ++next;
     }
 
+    bool has_slot(const NamedArgument& argument) const {
+        return std::ranges::find(slots, argument.name, &Slot::name) != slots.end();
+    }
+
     void check_count() {
         if (next > slots.size()) {
             fail(call.name, fmt::format("'{}' takes at most {} argument{}, not {}; it is called "
                                         "'{}'",
                                         call.function, slots.size(), slots.size() == 1 ? "" : "s",
-                                        next, signature(call.function)));
+                                        next, signature_of(lowering, call)));
         }
         for (std::size_t i = 0; i < slots.size() && !failed; ++i) {
             if (bound[i] || !slots[i].required) continue;
             fail(call.name, fmt::format("an argument of '{}' is missing; it is called '{}'",
-                                        call.function, signature(call.function)));
+                                        call.function, signature_of(lowering, call)));
         }
     }
 };
 
-}  // namespace
-
-std::optional<Bound> bind(Lowering& lowering, const Call& call, std::span<const Slot> slots,
-                          bool of_fields) {
+/// `may_be_surface` says of a name that no slot has whether `name = ...` is an equation.
+template <class Test>
+std::optional<Bound> bind_unless(Lowering& lowering, const Call& call, std::span<const Slot> slots,
+                                 Test may_be_surface) {
     Binder binder{lowering, call, slots, Bound(slots.size())};
     for (const ExpressionId id : call.arguments) {
         const std::optional<NamedArgument> argument = named(lowering, id);
-        const bool has_slot =
-            argument && std::ranges::find(slots, argument->name, &Slot::name) != slots.end();
-        if (argument && (has_slot || !of_fields)) {
+        if (argument && (binder.has_slot(*argument) || !may_be_surface(argument->name))) {
             binder.add_by_name(*argument);
         } else {
             binder.add_by_place(id);
@@ -109,14 +120,30 @@ std::optional<Bound> bind(Lowering& lowering, const Call& call, std::span<const 
     }
     binder.check_count();
     if (binder.failed) {
-        // For the errors inside of the arguments.
-        for (const ExpressionId id : call.arguments) {
-            const std::optional<NamedArgument> argument = named(lowering, id);
-            lower_expression(lowering, argument ? argument->value : id);
-        }
+        lower_arguments(lowering, call);
         return std::nullopt;
     }
     return std::move(binder.bound);
+}
+
+}  // namespace
+
+std::optional<Bound> bind(Lowering& lowering, const Call& call, std::span<const Slot> slots,
+                          bool of_fields) {
+    return bind_unless(lowering, call, slots, [&](std::string_view) { return of_fields; });
+}
+
+std::optional<Bound> bind_to_user_function(Lowering& lowering, const Call& call,
+                                           std::span<const Slot> slots) {
+    return bind_unless(lowering, call, slots, is_coordinate);
+}
+
+void lower_arguments(Lowering& lowering, const Call& call) {
+    for (const ExpressionId id : call.arguments) {
+        const std::optional<NamedArgument> argument = named(lowering, id);
+        const bool surface = argument && is_coordinate(argument->name);
+        lower_expression(lowering, argument && !surface ? argument->value : id);
+    }
 }
 
 std::optional<std::vector<graph::NodeId>> uniform_components(Lowering& lowering, const Call& call,
@@ -125,7 +152,9 @@ std::optional<std::vector<graph::NodeId>> uniform_components(Lowering& lowering,
                                                              std::size_t components) {
     const std::string subject = fmt::format("the argument '{}' of '{}'", argument, call.function);
     const Value value = lower_expression(lowering, id);
-    if (std::holds_alternative<Nothing>(value)) return std::nullopt;
+    if (is_nothing(value) || report_function(lowering, lowering.span(id), value)) {
+        return std::nullopt;
+    }
     std::vector<graph::NodeId> parts;
     if (const auto* number = std::get_if<graph::NodeId>(&value)) parts = {*number};
     if (const auto* tuple = std::get_if<VectorValue>(&value)) parts = tuple->components;

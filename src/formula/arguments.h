@@ -26,6 +26,14 @@ using Bound = std::vector<std::optional<ExpressionId>>;
 std::optional<Bound> bind(Lowering& lowering, const Call& call, std::span<const Slot> slots,
                           bool of_fields);
 
+/// Of a function that the user defines: `name = ...` is an argument by name unless the name is a
+/// coordinate that no slot has.
+std::optional<Bound> bind_to_user_function(Lowering& lowering, const Call& call,
+                                           std::span<const Slot> slots);
+
+/// Lowers all arguments, for the errors inside of them.
+void lower_arguments(Lowering& lowering, const Call& call);
+
 /// The components of an argument that is the same at every point, as nodes: exactly `components`,
 /// one is written as a number and more as a tuple. Constants must be finite.
 std::optional<std::vector<graph::NodeId>> uniform_components(Lowering& lowering, const Call& call,

@@ -8,6 +8,7 @@
 
 #include "formula/combinations.h"
 #include "formula/functions.h"
+#include "formula/vector_functions.h"
 
 namespace formula {
 namespace {
@@ -22,7 +23,8 @@ std::string initial_text(const std::vector<double>& components) {
 bool is_coordinate(std::string_view name) { return name == "x" || name == "y" || name == "z"; }
 
 bool is_callable(std::string_view name) {
-    return find_function(name) || find_combination(name) || field::find_primitive(name);
+    return name == "if" || find_function(name) || find_vector_function(name) ||
+           find_combination(name) || field::find_primitive(name);
 }
 
 std::string signature(const field::Primitive& primitive) {
@@ -38,6 +40,10 @@ std::string signature(const field::Primitive& primitive) {
 
 std::string signature(std::string_view callable) {
     if (const Function* function = find_function(callable)) return std::string(function->signature);
+    if (const VectorFunction* it = find_vector_function(callable)) {
+        return std::string(it->signature);
+    }
+    if (callable == "if") return "if(a < b, u, v)";
     if (const Combination* it = find_combination(callable)) return std::string(it->signature);
     const field::Primitive* primitive = field::find_primitive(callable);
     assert(primitive);
@@ -45,8 +51,9 @@ std::string signature(std::string_view callable) {
 }
 
 std::vector<std::string_view> built_in_names() {
-    std::vector<std::string_view> names{"x", "y", "z", "r", "t", "e", "pi", "tau"};
+    std::vector<std::string_view> names{"x", "y", "z", "r", "t", "e", "pi", "tau", "if"};
     for (const Function& it : functions()) names.push_back(it.name);
+    for (const VectorFunction& it : vector_functions()) names.push_back(it.name);
     for (const Combination& it : combinations()) names.push_back(it.name);
     for (const field::Primitive& it : field::primitives()) names.push_back(it.name);
     std::ranges::sort(names);

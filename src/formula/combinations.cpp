@@ -15,12 +15,6 @@ namespace {
 
 using graph::NodeId;
 
-/// A number that is known while lowering becomes a constant node, so that maps can see it.
-NodeId folded(Lowering& lowering, NodeId id) {
-    const std::optional<double> known = lowering.facts.constant(lowering.field.graph, id);
-    return known ? lowering.field.graph.constant(*known) : id;
-}
-
 std::optional<std::vector<FieldOperand>> operands(Lowering& lowering, const Call& call) {
     std::vector<FieldOperand> list;
     for (const ExpressionId id : call.arguments) {

@@ -9,11 +9,20 @@
 
 namespace formula {
 
+/// What a function of numbers means for vectors: it is applied to each component of those that it
+/// takes, where numbers among the arguments count for every component.
+enum class OnVectors {
+    none,   ///< it takes numbers only
+    plain,  ///< plain vectors; of complex numbers it would be something else
+    all,    ///< complex numbers, quaternions and triplex numbers too
+};
+
 struct Function {
     std::string_view name;
     std::string_view signature;  ///< how a call is written
     std::size_t least;           ///< number of arguments
     std::size_t most;
+    OnVectors on_vectors;
     graph::NodeId (*build)(graph::Graph&, std::span<const graph::NodeId>);
 };
 

@@ -13,5 +13,9 @@ inline constexpr std::size_t max_height = 1000;       ///< levels of the syntax 
 inline constexpr std::size_t max_nodes = 20000;       ///< of the graph
 inline constexpr std::size_t max_objects = 10000;     ///< leaves of the field, repeated ones too
 inline constexpr std::size_t max_errors = 20;         ///< reported for one text
+inline constexpr std::size_t max_expansions =
+    200000;                                     ///< expressions, those of functions at each call
+inline constexpr std::size_t max_depth = 2000;  ///< levels of expressions, through calls
+inline constexpr int max_squared_power = 32;    ///< whole powers of vectors without angles
 
 }  // namespace formula

@@ -9,6 +9,7 @@
 #include "formula/lowering.h"
 #include "formula/parse.h"
 #include "formula/report.h"
+#include "formula/user_function.h"
 
 namespace formula {
 namespace {
@@ -27,7 +28,8 @@ bool may_define(Lowering& lowering, const std::string& name, base::SourceSpan sp
 }
 
 void define(Lowering& lowering, const Definition& definition) {
-    Value value = lower_expression(lowering, definition.value);
+    Value value = definition.parameters ? define_function(lowering, definition)
+                                        : lower_expression(lowering, definition.value);
     if (!may_define(lowering, definition.name, definition.span)) return;
     lowering.scope->set(definition.name, std::move(value), definition.span, Role::definition);
 }

@@ -1,44 +1,43 @@
 // SPDX-License-Identifier: MIT
-// Lowers calls: functions of numbers, combinations of fields, primitives.
+// Lowers calls: finds out what is called, and with which values.
 #include <fmt/format.h>
 
 #include "field/primitives.h"
+#include "formula/apply.h"
 #include "formula/arguments.h"
+#include "formula/arithmetic.h"
 #include "formula/built_in.h"
 #include "formula/combinations.h"
-#include "formula/functions.h"
+#include "formula/user_function.h"
 
 namespace formula {
 namespace {
 
 using graph::NodeId;
 
-void lower_all(Lowering& lowering, const Call& call) {
-    for (const ExpressionId id : call.arguments) lower_expression(lowering, id);
-}
-
-std::string expected_count(const Function& function) {
-    const std::string_view plural = function.most == 1 ? "argument" : "arguments";
-    if (function.most == any_number) return fmt::format("{} or more {}", function.least, plural);
-    if (function.most == function.least) return fmt::format("{} {}", function.least, plural);
-    return fmt::format("{} or {} {}", function.least, function.most, plural);
+Value operand(Lowering& lowering, const Call& call, ExpressionId id) {
+    auto value = as_operand(lowering, id, fmt::format("as an argument of '{}'", call.function));
+    return value ? *std::move(value) : Value(Nothing{});
 }
 
 Value call_function(Lowering& lowering, const Call& call, const Function& function) {
-    std::vector<NodeId> arguments;
-    const std::string where = fmt::format("as an argument of '{}'", function.name);
-    for (const ExpressionId id : call.arguments) {
-        const auto number = as_number(lowering, id, where);
-        if (number) arguments.push_back(*number);
+    std::vector<Value> arguments;
+    for (const ExpressionId id : call.arguments) arguments.push_back(operand(lowering, call, id));
+    return apply(lowering, function, call.name, arguments);
+}
+
+Value call_vector_function(Lowering& lowering, const Call& call, const VectorFunction& function) {
+    const std::optional<Bound> bound = bind(lowering, call, function.slots, false);
+    if (!bound) return Nothing{};
+    std::vector<Value> arguments(function.slots.size());
+    bool broken = false;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (!(*bound)[i]) continue;
+        arguments[i] = operand(lowering, call, *(*bound)[i]);
+        broken = broken || is_nothing(arguments[i]);
     }
-    const std::size_t count = call.arguments.size();
-    if (count < function.least || count > function.most) {
-        lowering.error(call.name, fmt::format("'{}' takes {}, not {}; write '{}'", function.name,
-                                              expected_count(function), count, function.signature));
-        return Nothing{};
-    }
-    if (arguments.size() < count) return Nothing{};
-    return function.build(lowering.field.graph, arguments);
+    if (broken) return Nothing{};
+    return apply(lowering, function, call.name, arguments);
 }
 
 Value call_primitive(Lowering& lowering, const Call& call, const field::Primitive& primitive) {
@@ -66,6 +65,20 @@ Value call_primitive(Lowering& lowering, const Call& call, const field::Primitiv
     return FieldValue{id, field::leaves(lowering.field, id).size()};
 }
 
+Value call_built_in(Lowering& lowering, const Call& call) {
+    if (call.function == "if") return lower_if(lowering, call);
+    if (const Function* function = find_function(call.function)) {
+        return call_function(lowering, call, *function);
+    }
+    if (const VectorFunction* function = find_vector_function(call.function)) {
+        return call_vector_function(lowering, call, *function);
+    }
+    if (const Combination* combination = find_combination(call.function)) {
+        return combination->build(lowering, call);
+    }
+    return call_primitive(lowering, call, *field::find_primitive(call.function));
+}
+
 /// A name in front of a bracket that cannot be called.
 void report_no_function(Lowering& lowering, const Call& call, const Value& value) {
     const Binding* binding = find_binding(lowering.scope, call.function);
@@ -85,25 +98,24 @@ void report_no_function(Lowering& lowering, const Call& call, const Value& value
 }  // namespace
 
 Value lower_call(Lowering& lowering, const Call& call) {
-    const bool defined = find_binding(lowering.scope, call.function);
-    if (!defined && is_callable(call.function)) {
-        if (const Function* function = find_function(call.function)) {
-            return call_function(lowering, call, *function);
-        }
-        if (const Combination* combination = find_combination(call.function)) {
-            return combination->build(lowering, call);
-        }
-        return call_primitive(lowering, call, *field::find_primitive(call.function));
-    }
-    const bool known = defined || built_in_number(lowering, call.function);
-    if (known) {
-        const Value value = lower_name(lowering, call.function, call.name);
-        // What was never given a value has been reported where that failed.
-        if (!std::holds_alternative<Nothing>(value)) report_no_function(lowering, call, value);
-    } else {
+    const bool known = find_binding(lowering.scope, call.function) ||
+                       built_in_number(lowering, call.function) || is_callable(call.function);
+    if (!known) {
         report_unknown_name(lowering, call.function, call.name);
+        lower_arguments(lowering, call);
+        return Nothing{};
     }
-    lower_all(lowering, call);
+    const Value value = lower_name(lowering, call.function, call.name);
+    if (const auto* function = std::get_if<FunctionValue>(&value)) {
+        if (function->definition) return call_user_function(lowering, *function, call);
+        if (function->name == call.function) return call_built_in(lowering, call);
+        Call renamed = call;
+        renamed.function = function->name;
+        return call_built_in(lowering, renamed);
+    }
+    // What was never given a value has been reported where that failed.
+    if (!is_nothing(value)) report_no_function(lowering, call, value);
+    lower_arguments(lowering, call);
     return Nothing{};
 }
 

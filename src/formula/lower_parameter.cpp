@@ -87,11 +87,6 @@ void read_initial(Reading& reading) {
         if (!value) return;
         reading.parameter.initial.push_back(*value);
     }
-    if (reading.parameter.size() > 4) {
-        reading.fail(reading.lowering.span(id),
-                     fmt::format("'{}' has {} components; a parameter has at most 4",
-                                 reading.declaration.name, reading.parameter.size()));
-    }
 }
 
 /// The fewest half turns that reach an angle.

@@ -2,9 +2,12 @@
 // What the parts of lowering share: the state of the work, and its steps. Internal to the library.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/diagnostic.h"
 #include "field/field.h"
@@ -38,6 +41,8 @@ struct Lowering {
     base::Diagnostics errors{};
     base::Diagnostics warnings{};
     NodeFacts facts{};
+    std::set<std::pair<std::uint32_t, std::string>>
+        reported{};               ///< places with what is wrong there
     std::size_t expressions = 0;  ///< lowered so far, those of functions at every call
     std::size_t depth = 0;        ///< levels of expressions that are open, through calls
     bool too_large = false;       ///< a limit is exceeded and reported; nothing more is built
@@ -47,7 +52,11 @@ struct Lowering {
     /// The line, from 1, of a place in the text that is being lowered.
     std::size_t line(base::SourceSpan span) const;
 
+    /// Reports what is wrong at a place of the text that is being lowered. In the body of a
+    /// function the calls that led there are added, and only the first of them is reported; what is
+    /// wrong in a definition of the library is reported at the user's call of it.
     void error(base::SourceSpan span, std::string message);
+    /// Of the user's text only, and without calls.
     void warning(base::SourceSpan span, std::string message);
 };
 
@@ -74,11 +83,24 @@ Value lower_expression(Lowering& lowering, ExpressionId id);
 /// sentence "a field cannot be used ...".
 std::optional<graph::NodeId> as_number(Lowering& lowering, ExpressionId id, std::string_view where);
 
+/// The same of a value that the expression has been lowered to.
+std::optional<graph::NodeId> number_of(Lowering& lowering, ExpressionId id, const Value& value,
+                                       std::string_view where);
+
 /// The value of an expression where a field must stand: a number is the sheet where it is 0.
 std::optional<FieldValue> as_field(Lowering& lowering, ExpressionId id);
 
+/// Reports a function where a value must stand, if it is one.
+bool report_function(Lowering& lowering, base::SourceSpan span, const Value& value);
+
+/// A number that is known becomes a constant node.
+graph::NodeId folded(Lowering& lowering, graph::NodeId id);
+
 Value lower_name(Lowering& lowering, std::string_view name, base::SourceSpan span);
 Value lower_call(Lowering& lowering, const Call& call);
+Value lower_comparison(Lowering& lowering, const Comparison& comparison);
+Value lower_if(Lowering& lowering, const Call& call);
+Value lower_component(Lowering& lowering, const Component& component);
 Value lower_intersection(Lowering& lowering, const Intersection& chain);
 Value lower_union(Lowering& lowering, const Union& chain);
 

@@ -2,13 +2,17 @@
 // Looking names up: definitions and parameters first, then what is built in.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 #include <vector>
 
 #include "formula/built_in.h"
 #include "formula/functions.h"
+#include "formula/limits.h"
 #include "formula/lowering.h"
+#include "formula/mentions.h"
 #include "formula/suggest.h"
+#include "formula/user_function.h"
 
 namespace formula {
 namespace {
@@ -46,6 +50,19 @@ bool is_unfinished_definition(const Lowering& lowering, base::SourceSpan name) {
     return last && last->relation == Relation::equal && lowering.span(last->left) == name;
 }
 
+/// `f → g → f` if the statement around a place needs itself through this name.
+std::string path_to_itself(const Lowering& lowering, std::string_view name,
+                           base::SourceSpan place) {
+    const std::vector<Statement>& statements = lowering.source->program.statements;
+    const auto after = std::ranges::find_if(statements, [&](const Statement& statement) {
+        return std::visit([&](const auto& it) { return it.span.begin > place.begin; }, statement);
+    });
+    // Looking for cycles costs time, and further errors are not shown.
+    if (after == statements.begin() || lowering.errors.size() > max_errors) return "";
+    const auto from = static_cast<std::size_t>(after - statements.begin()) - 1;
+    return fmt::format("{}", fmt::join(cycle(lowering.source->program, from, name), " → "));
+}
+
 std::string hint(const Lowering& lowering, std::string_view name, base::SourceSpan span) {
     if (is_run_of_coordinates(name)) {
         return fmt::format("; write '{}' for a product", spell_product(name));
@@ -68,15 +85,25 @@ std::string hint(const Lowering& lowering, std::string_view name, base::SourceSp
 
 }  // namespace
 
+bool report_function(Lowering& lowering, base::SourceSpan span, const Value& value) {
+    const auto* function = std::get_if<FunctionValue>(&value);
+    if (!function) return false;
+    lowering.error(
+        span, fmt::format("'{}' needs its arguments in brackets; it is called '{}'", function->name,
+                          function->definition ? signature(*function) : signature(function->name)));
+    return true;
+}
+
 void report_unknown_name(Lowering& lowering, std::string_view name, base::SourceSpan span) {
     const std::optional<base::SourceSpan> later = defined_later(lowering, name);
     if (later) {
-        const std::size_t line = lowering.line(*later);
-        const bool own = line == lowering.line(span);
+        const std::string path = path_to_itself(lowering, name, span);
         lowering.error(
-            span, own ? fmt::format("'{}' is used in its own definition", name)
-                      : fmt::format("'{}' is defined further down, on line {}; move that line up",
-                                    name, line));
+            span,
+            path.empty()
+                ? fmt::format("'{}' is defined further down, on line {}; move that line up", name,
+                              lowering.line(*later))
+                : fmt::format("a definition cannot use itself: {}; repeat with iterate", path));
         return;
     }
     lowering.error(span, fmt::format("unknown name '{}'{}", name, hint(lowering, name, span)));
@@ -103,12 +130,8 @@ Value lower_name(Lowering& lowering, std::string_view name, base::SourceSpan spa
     if (const std::optional<graph::NodeId> number = built_in_number(lowering, name)) {
         return *number;
     }
-    if (is_callable(name)) {
-        lowering.error(span, fmt::format("'{}' needs its arguments in brackets; it is called '{}'",
-                                         name, signature(name)));
-    } else {
-        report_unknown_name(lowering, name, span);
-    }
+    if (is_callable(name)) return FunctionValue{std::string(name)};
+    report_unknown_name(lowering, name, span);
     return Nothing{};
 }
 

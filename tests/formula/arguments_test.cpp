@@ -64,11 +64,13 @@ TEST(Arguments, that_do_not_fit_do_not_hide_errors_inside) {
 }
 
 TEST(Arguments, tuples_hold_numbers) {
-    check("((1, 2), 3)", "1:2: a tuple cannot be used in a tuple");
+    check("((1, 2), 3)",
+          "1:2: a vector of 2 cannot be used in a tuple; take its length(…) or a component such as "
+          ".x");
+    check("(1, 2, 3, 4, 5)", "1:1: a vector has at most four components");
     check("c = (1, sphere(1))\njulia(c)",
           "1:9: a field cannot be used in a tuple; join fields with '|', '&' or '\\'");
-    check("c = (1, 2)\n2c", "2:2: a tuple cannot be used in arithmetic");
-    check("(1, 2)", "1:1: a tuple is no field; write an equation or a field");
+    check("(1, 2)", "1:1: a vector of 2 is no field; write an equation or a field");
 }
 
 }  // namespace

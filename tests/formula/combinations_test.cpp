@@ -113,7 +113,8 @@ TEST(Combinations, refuse_wrong_numbers_of_fields) {
     check("complement()", "1:1: 'complement' takes 1 field, not 0; write 'complement(F)'");
     check("difference(x <= 0, y <= 0, z <= 0)",
           "1:1: 'difference' takes 2 fields, not 3; write 'difference(F, G)'");
-    check("union(sphere(1), (1, 2))", "1:18: a tuple is no field; write an equation or a field");
+    check("union(sphere(1), (1, 2))",
+          "1:18: a vector of 2 is no field; write an equation or a field");
 }
 
 }  // namespace

@@ -99,7 +99,8 @@ TEST(Functions, take_numbers_only) {
     EXPECT_EQ(errors_of("sin(sphere(1))"),
               "1:5: a field cannot be used as an argument of 'sin'; join fields with '|', '&' or "
               "'\\'");
-    EXPECT_EQ(errors_of("max((1, 2), 3)"), "1:5: a tuple cannot be used as an argument of 'max'");
+    EXPECT_EQ(errors_of("max((1, 2), 3)"),
+              "1:1: a vector of 2 is no field; write an equation or a field");
     EXPECT_EQ(
         errors_of("abs(x = 1)"),
         "1:5: a comparison cannot be used as an argument of 'abs'; join fields with '|', '&' or "

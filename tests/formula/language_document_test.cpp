@@ -12,6 +12,7 @@
 #include "formula/combinations.h"
 #include "formula/functions.h"
 #include "formula/understood.h"
+#include "formula/vector_functions.h"
 
 namespace formula {
 namespace {
@@ -60,6 +61,7 @@ TEST(LanguageDocument, lists_every_callable_with_its_signature) {
         if (it.name != "hypot") expect(std::string(it.signature));
     }
     expect("hypot(a, b)");
+    for (const VectorFunction& it : vector_functions()) expect(std::string(it.signature));
     for (const Combination& it : combinations()) expect(std::string(it.signature));
     for (const field::Primitive& it : field::primitives()) expect(signature(it));
 }

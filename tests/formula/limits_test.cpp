@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 #include "formula/understood.h"
 
 namespace formula {
@@ -76,6 +78,37 @@ TEST(Limits, doubling_definitions_cannot_exhaust_the_memory) {
               "15:7: the formula has more than 10,000 objects; make it shorter");
     std::string maps = "a = " + repeat("sphere(1)|", 4000) + "sphere(1)\n";
     EXPECT_EQ(errors_of(maps + repeat("translate(a,0,0,1)|", 1000) + "a").substr(0, 2), "2:");
+}
+
+TEST(Limits, doubling_functions_cannot_exhaust_time_or_memory) {
+    std::string text = "f0(a) = a + x\n";
+    for (int i = 1; i <= 60; ++i) {
+        const std::string last = "f" + std::to_string(i - 1);
+        text += "f" + std::to_string(i) + "(a) = " + last + "(a) + " + last + "(a)\n";
+    }
+    EXPECT_EQ(errors_of(text + "f60(1)"),
+              "62:1: the formula has more than 200,000 expressions where its functions are put in; "
+              "call them less often");
+    EXPECT_EQ(errors_of(text + "f8(1)"), "");
+}
+
+TEST(Limits, deep_calls_of_functions_are_one_error) {
+    const auto deep = [](int calls) {
+        std::string text = "f0(a) = a\n";
+        for (int i = 1; i <= calls; ++i) {
+            text += fmt::format("f{}(a) = -f{}(a)\n", i, i - 1);
+        }
+        return text + fmt::format("f{}(x)", calls);
+    };
+    EXPECT_EQ(errors_of(deep(900)), "");
+    EXPECT_EQ(errors_of(deep(1100)),
+              "1102:1: the calls of functions nest more than 2000 levels deep");
+    // High bodies within high bodies.
+    std::string text = "f0(a) = a\n";
+    for (int i = 1; i <= 6; ++i) {
+        text += fmt::format("f{}(a) = {}f{}(a)\n", i, repeat("x^", 600), i - 1);
+    }
+    EXPECT_NE(errors_of(text + "f6(x)").find("nest more than 2000 levels deep"), std::string::npos);
 }
 
 TEST(Limits, numbers_that_are_too_large_are_errors) {

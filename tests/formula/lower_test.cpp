@@ -74,13 +74,28 @@ TEST(Lower, fields_stand_nowhere_in_arithmetic) {
               "1:2: a comparison cannot be used in arithmetic; join fields with '|', '&' or '\\'");
     EXPECT_EQ(errors_of("(x <= 1)^2"),
               "1:1: a comparison cannot be used in arithmetic; join fields with '|', '&' or '\\'");
-    EXPECT_EQ(errors_of("sphere(1) = 0"),
+    EXPECT_EQ(errors_of("sphere(1) <= 0"),
+              "1:1: a field cannot be used in a comparison; join fields with '|', '&' or '\\'");
+    EXPECT_EQ(errors_of("julia() = 0"),
               "1:1: a field cannot be used in a comparison; join fields with '|', '&' or '\\'");
     EXPECT_EQ(
         errors_of("(x = 1) <= sphere(1)"),
         "1:1: a comparison cannot be used in a comparison; join fields with '|', '&' or '\\'\n"
         "1:12: a field cannot be used in a comparison; join fields with '|', '&' or '\\'");
-    EXPECT_EQ(errors_of("(1, 2) = x"), "1:1: a tuple cannot be used in a comparison");
+    EXPECT_EQ(errors_of("(1, 2) = x"),
+              "1:1: a vector of 2 cannot be used in a comparison; take its length(…) or a "
+              "component such as .x");
+}
+
+TEST(Lower, an_equation_of_a_solid_is_its_surface_with_a_warning) {
+    EXPECT_EQ(report_of("sphere(1) = 0"),
+              "formula:1:1: warning: an equation makes a sheet of this solid: its surface alone, "
+              "without an inside; leave the equation away for the solid\n"
+              "sphere(1) = 0\n"
+              "^~~~~~~~~\n");
+    EXPECT_EQ(root_of("sphere(1) = 0").kind, field::Kind::sheet);
+    EXPECT_DOUBLE_EQ(value_at("sphere(1) = 0.5", {2, 0, 0}), 0.5);
+    EXPECT_DOUBLE_EQ(value_at("ball = sphere(1)\n0 = ball", {3, 0, 0}), -2);
 }
 
 TEST(Lower, depends_on_no_locale) {

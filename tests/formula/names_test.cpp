@@ -58,7 +58,7 @@ TEST(Names, a_broken_definition_causes_no_further_errors) {
 TEST(Names, definitions_are_used_from_the_next_line_on) {
     check("a = b\nb = 1\na + b + x",
           "1:5: 'b' is defined further down, on line 2; move that line up");
-    check("a = a + 1\nx = a", "1:5: 'a' is used in its own definition");
+    check("a = a + 1\nx = a", "1:5: a definition cannot use itself: a → a; repeat with iterate");
     check("x = 2a\na = 1\ny = a",
           "1:1: 'x' is a coordinate and cannot be redefined\n"
           "1:6: 'a' is defined further down, on line 2; move that line up");

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Triplex numbers of graph nodes: points of space with powers, as the Mandelbulb needs them.
+// Internal to the library.
+#pragma once
+
+#include "graph/build.h"
+
+namespace formula {
+
+struct Triplex {
+    graph::Expr x, y, z;
+};
+
+/// a^n (White and Nylander): in spherical coordinates about the z axis the radius to the power n
+/// and both angles times n. Equal to `whole_power`, which has no trigonometry, where n is whole.
+Triplex real_power(Triplex a, graph::Expr n);
+
+/// For n >= 2. By complex powers of z + i rho and (x + i y) / rho, rho = |(x, y)|.
+Triplex whole_power(Triplex a, int n);
+
+}  // namespace formula
