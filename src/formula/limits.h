@@ -12,6 +12,7 @@ inline constexpr std::size_t max_brackets = 200;      ///< brackets that are ope
 inline constexpr std::size_t max_height = 1000;       ///< levels of the syntax tree
 inline constexpr std::size_t max_nodes = 20000;       ///< of the graph
 inline constexpr std::size_t max_objects = 10000;     ///< leaves of the field, repeated ones too
+inline constexpr std::size_t max_turns = 10000;       ///< of an iteration
 inline constexpr std::size_t max_errors = 20;         ///< reported for one text
 inline constexpr std::size_t max_expansions =
     200000;                                     ///< expressions, those of functions at each call

@@ -76,7 +76,7 @@ struct Visitor {
     Value operator()(const Union& it) const { return lower_union(lowering, it); }
     Value operator()(const Call& it) const { return lower_call(lowering, it); }
     Value operator()(const Component& it) const { return lower_component(lowering, it); }
-    Value operator()(const Iterate&) const { return Nothing{}; }
+    Value operator()(const Iterate& it) const { return lower_iterate(lowering, it, span); }
     Value operator()(const Broken&) const { return Nothing{}; }
 };
 

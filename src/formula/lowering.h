@@ -101,6 +101,7 @@ Value lower_call(Lowering& lowering, const Call& call);
 Value lower_comparison(Lowering& lowering, const Comparison& comparison);
 Value lower_if(Lowering& lowering, const Call& call);
 Value lower_component(Lowering& lowering, const Component& component);
+Value lower_iterate(Lowering& lowering, const Iterate& iterate, base::SourceSpan span);
 Value lower_intersection(Lowering& lowering, const Intersection& chain);
 Value lower_union(Lowering& lowering, const Union& chain);
 

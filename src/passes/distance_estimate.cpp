@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "passes/distance_estimate.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <unordered_map>
+
+#include "graph/build.h"
+#include "passes/differentiate.h"
+
+namespace passes {
+namespace {
+
+using field::Iteration;
+using graph::Expr;
+using graph::Graph;
+using graph::NodeId;
+using graph::VariableId;
+
+constexpr std::array point{graph::variable_x, graph::variable_y, graph::variable_z};
+
+/// Adds a variable to the state; its step, which may need it, is to be added after it.
+VariableId add_state(Graph& graph, Iteration& iteration, std::string name, NodeId start) {
+    const VariableId id = graph.new_variable(std::move(name));
+    iteration.state.push_back(id);
+    iteration.start.push_back(start);
+    return id;
+}
+
+/// A number that is `end` after the limit of turns, and grows by `factor` at each.
+Expr backwards_from(Graph& graph, Iteration& iteration, std::string name, Expr end, Expr factor) {
+    const Expr limit(graph, iteration.limit);
+    const VariableId id =
+        add_state(graph, iteration, std::move(name), (end * pow(factor, -limit)).id);
+    const Expr value(graph, graph.variable(id));
+    iteration.step.push_back((factor * value).id);
+    return value;
+}
+
+/// True if the expression needs one of these variables.
+bool depends_on(const Graph& graph, NodeId root, std::span<const VariableId> variables) {
+    return std::ranges::any_of(reachable(graph, std::array{root}), [&](NodeId id) {
+        const graph::Node& node = graph[id];
+        return node.op == graph::Op::variable &&
+               std::ranges::find(variables, static_cast<VariableId>(node.symbol)) !=
+                   variables.end();
+    });
+}
+
+/// The state that changes with a coordinate of the point, of the orbit and of what its step needs:
+/// all other derivatives by it stay 0.
+std::vector<std::size_t> changing_state(Graph& graph, const Iteration& iteration,
+                                        std::size_t orbit_size, VariableId coordinate) {
+    Iteration endless = iteration;
+    endless.escape.reset();
+    std::vector<NodeId> orbit;
+    for (std::size_t i = 0; i < orbit_size; ++i) orbit.push_back(graph.variable(endless.state[i]));
+    const std::vector<bool> needed = needed_state(graph, endless, orbit);
+    std::vector<VariableId> changing{coordinate};
+    std::vector<std::size_t> rows;
+    // Until no further row is found to change with those that do.
+    for (bool more = true; more;) {
+        more = false;
+        for (std::size_t i = 0; i < needed.size(); ++i) {
+            if (!needed[i] || std::ranges::find(rows, i) != rows.end()) continue;
+            if (!depends_on(graph, endless.start[i], changing) &&
+                !depends_on(graph, endless.step[i], changing)) {
+                continue;
+            }
+            rows.push_back(i);
+            changing.push_back(endless.state[i]);
+            more = true;
+        }
+    }
+    std::ranges::sort(rows);
+    return rows;
+}
+
+/// The part of a node's order that its operator gives; none if it grows like no power.
+std::optional<double> order_of(const Graph& graph, const graph::Node& node,
+                               std::span<const double> of) {
+    using graph::Op;
+    switch (node.op) {
+        case Op::constant:
+        case Op::parameter:
+        case Op::variable:
+        case Op::sin:
+        case Op::cos:
+        case Op::asin:
+        case Op::acos:
+        case Op::atan:
+        case Op::atan2:
+        case Op::tanh:
+        case Op::ratio:
+        case Op::sign:
+            return 0;
+        case Op::neg:
+        case Op::abs:
+        case Op::floor:
+        case Op::ceil:
+            return of[0];
+        case Op::add:
+        case Op::sub:
+        case Op::min:
+        case Op::max:
+        case Op::hypot:
+        case Op::hypot3:
+            return std::ranges::max(of);
+        case Op::select_less:
+            return std::max(of[2], of[3]);
+        case Op::mul:
+            return of[0] + of[1];
+        case Op::div:
+            return of[0] - of[1];
+        case Op::sqrt:
+            return of[0] / 2;
+        case Op::cbrt:
+            return of[0] / 3;
+        case Op::pow:
+            if (graph.is_constant(node.arguments[1])) {
+                return of[0] * graph[node.arguments[1]].value;
+            }
+            break;
+        case Op::tan:
+        case Op::sinh:
+        case Op::cosh:
+        case Op::exp:
+        case Op::log:
+            break;
+    }
+    if (std::ranges::all_of(of, [](double order) { return order == 0; })) return 0;
+    return std::nullopt;
+}
+
+}  // namespace
+
+NodeId add_growth(Graph& graph, Iteration& iteration, const RunningDerivative& derivative) {
+    iteration.state.push_back(derivative.variable);
+    iteration.start.push_back(derivative.start);
+    iteration.step.push_back(derivative.step);
+    return graph.variable(derivative.variable);
+}
+
+NodeId add_jacobian_norm(Graph& graph, Iteration& iteration, std::size_t orbit_size) {
+    const Iteration value = iteration;
+    std::optional<Expr> squares;
+    for (const VariableId coordinate : point) {
+        const std::vector<std::size_t> rows = changing_state(graph, value, orbit_size, coordinate);
+        std::vector<NodeId> starts, steps;
+        for (const std::size_t row : rows) {
+            starts.push_back(value.start[row]);
+            steps.push_back(value.step[row]);
+        }
+        std::vector<Seed> seeds{{coordinate, graph.constant(1)}};
+        const std::vector<NodeId> start = differentiate(graph, starts, seeds);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const VariableId row = value.state[rows[i]];
+            const VariableId slope = add_state(
+                graph, iteration, "d" + graph.name(row) + "/d" + graph.name(coordinate), start[i]);
+            seeds.push_back({row, graph.variable(slope)});
+            if (rows[i] >= orbit_size) continue;
+            const Expr entry(graph, graph.variable(slope));
+            squares = squares ? *squares + entry * entry : entry * entry;
+        }
+        for (const NodeId step : differentiate(graph, steps, seeds)) {
+            iteration.step.push_back(step);
+        }
+    }
+    return squares ? sqrt(*squares).id : graph.constant(0);
+}
+
+NodeId distance_estimate(Graph& graph, Iteration& iteration, NodeId orbit_length,
+                         const Escape& escape, NodeId growth) {
+    const Expr length(graph, orbit_length), stretch(graph, growth);
+    const Expr size = escape.by_power ? log(length) : length;
+    Expr beyond = size;
+    if (escape.rate) {
+        const Expr rate(graph, *escape.rate), radius(graph, escape.radius);
+        beyond = size - (escape.by_power
+                             ? backwards_from(graph, iteration, "potential", log(radius), rate)
+                             : backwards_from(graph, iteration, "radius left", radius, abs(rate)));
+    }
+    return ((escape.by_power ? 0.5 * length * beyond : beyond) / stretch).id;
+}
+
+std::optional<double> heuristic_order(const Graph& graph, NodeId root,
+                                      std::span<const VariableId> state) {
+    std::unordered_map<NodeId, double> orders;
+    for (const NodeId id : reachable(graph, std::array{root})) {
+        const graph::Node& node = graph[id];
+        std::vector<double> of;
+        for (const NodeId argument : node.args()) of.push_back(orders.at(argument));
+        const bool is_state =
+            node.op == graph::Op::variable &&
+            std::ranges::find(state, static_cast<VariableId>(node.symbol)) != state.end();
+        const std::optional<double> order = is_state ? 1 : order_of(graph, node, of);
+        if (!order) return std::nullopt;
+        orders[id] = *order;
+    }
+    return orders.at(root);
+}
+
+}  // namespace passes
