@@ -102,6 +102,14 @@ TEST(LowerParameter, can_be_a_vector) {
     EXPECT_EQ(first_of("param c = (0, 0, 0)\ntranslate(sphere(), c)").maximum, 1);
 }
 
+TEST(LowerParameter, of_several_components_is_what_its_initial_value_is) {
+    EXPECT_EQ(value_at("param c = (3, 5)\nx = c.x*c.y", {1, 0, 0}), -14);
+    // i j = k, and i^2 = -1.
+    const std::string text = "param q = quaternion(0, 1, 0, 0)\n";
+    EXPECT_EQ(value_at(text + "x = (q*quaternion(0, 0, 1, 0)).w", {0, 0, 0}), -1);
+    EXPECT_EQ(value_at(text + "x = (q*q).x", {0, 0, 0}), 1);
+}
+
 TEST(LowerParameter, of_several_components_has_one_range_for_all) {
     check("param c = (1, 3) in [0, 2]\njulia(c)",
           "1:11: component y of the initial value 3 of 'c' is outside its range [0, 2]");
