@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "formula/arithmetic.h"
+#include "formula/prelude.h"
 #include "formula/user_function.h"
 
 namespace formula {
@@ -115,6 +116,9 @@ Value apply(Lowering& lowering, const FunctionValue& function, base::SourceSpan 
             std::span<const Value> arguments) {
     if (has_nothing(arguments)) return Nothing{};
     if (function.definition) return call_user_function(lowering, function, span, arguments);
+    if (is_in_prelude(function.name)) {
+        return call_user_function(lowering, prelude_function(function.name), span, arguments);
+    }
     if (!are_operands(lowering, function.name, span, arguments)) return Nothing{};
     if (const Function* of_numbers = find_function(function.name)) {
         return apply(lowering, *of_numbers, span, arguments);

@@ -8,6 +8,8 @@
 
 #include "formula/combinations.h"
 #include "formula/functions.h"
+#include "formula/prelude.h"
+#include "formula/user_function.h"
 #include "formula/vector_functions.h"
 
 namespace formula {
@@ -24,7 +26,7 @@ bool is_coordinate(std::string_view name) { return name == "x" || name == "y" ||
 
 bool is_callable(std::string_view name) {
     return name == "if" || find_function(name) || find_vector_function(name) ||
-           find_combination(name) || field::find_primitive(name);
+           find_combination(name) || field::find_primitive(name) || is_in_prelude(name);
 }
 
 std::string signature(const field::Primitive& primitive) {
@@ -45,6 +47,7 @@ std::string signature(std::string_view callable) {
     }
     if (callable == "if") return "if(a < b, u, v)";
     if (const Combination* it = find_combination(callable)) return std::string(it->signature);
+    if (is_in_prelude(callable)) return signature(prelude_function(callable));
     const field::Primitive* primitive = field::find_primitive(callable);
     assert(primitive);
     return signature(*primitive);
@@ -56,6 +59,7 @@ std::vector<std::string_view> built_in_names() {
     for (const VectorFunction& it : vector_functions()) names.push_back(it.name);
     for (const Combination& it : combinations()) names.push_back(it.name);
     for (const field::Primitive& it : field::primitives()) names.push_back(it.name);
+    names.insert(names.end(), prelude_names().begin(), prelude_names().end());
     std::ranges::sort(names);
     return names;
 }

@@ -13,8 +13,8 @@ namespace formula {
 /// True for x, y and z, the only names that cannot be defined anew.
 bool is_coordinate(std::string_view name);
 
-/// True for what is called with arguments in brackets: functions of numbers, combinations of fields
-/// and primitives.
+/// True for what is called with arguments in brackets: functions of numbers and vectors, `if`,
+/// combinations of fields, primitives, and what the prelude defines.
 bool is_callable(std::string_view name);
 
 /// How a callable is called: `atan2(y, x)`, `sphere(r = 1)`.

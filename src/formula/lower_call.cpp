@@ -8,6 +8,7 @@
 #include "formula/arithmetic.h"
 #include "formula/built_in.h"
 #include "formula/combinations.h"
+#include "formula/prelude.h"
 #include "formula/user_function.h"
 
 namespace formula {
@@ -75,6 +76,9 @@ Value call_built_in(Lowering& lowering, const Call& call) {
     }
     if (const Combination* combination = find_combination(call.function)) {
         return combination->build(lowering, call);
+    }
+    if (is_in_prelude(call.function)) {
+        return call_library_function(lowering, prelude_function(call.function), call);
     }
     return call_primitive(lowering, call, *field::find_primitive(call.function));
 }

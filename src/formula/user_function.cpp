@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "formula/arguments.h"
@@ -49,6 +50,30 @@ void warn_of_unused_parameters(Lowering& lowering, const Definition& definition)
     }
 }
 
+std::vector<Slot> slots_of(const Definition& definition) {
+    std::vector<Slot> slots;
+    for (const FunctionParameter& it : *definition.parameters) {
+        slots.push_back({it.name, !it.initial});
+    }
+    return slots;
+}
+
+/// A call whose arguments are found, each of which `lower_argument` makes a value.
+template <class LowerArgument>
+Value call_bound(Lowering& lowering, const FunctionValue& function, const Call& call,
+                 const std::optional<Bound>& bound, LowerArgument lower_argument) {
+    if (!bound) return Nothing{};
+    std::vector<Value> arguments(bound->size());
+    bool broken = false;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (!(*bound)[i]) continue;
+        arguments[i] = lower_argument(i, *(*bound)[i]);
+        broken = broken || is_nothing(arguments[i]);
+    }
+    if (broken) return Nothing{};
+    return call_user_function(lowering, function, call.name, arguments);
+}
+
 }  // namespace
 
 Value define_function(Lowering& lowering, const Definition& definition) {
@@ -69,21 +94,27 @@ Value define_function(Lowering& lowering, const Definition& definition) {
 }
 
 Value call_user_function(Lowering& lowering, const FunctionValue& function, const Call& call) {
-    std::vector<Slot> slots;
-    for (const FunctionParameter& it : *function.definition->parameters) {
-        slots.push_back({it.name, !it.initial});
-    }
-    const std::optional<Bound> bound = bind_to_user_function(lowering, call, slots);
-    if (!bound) return Nothing{};
-    std::vector<Value> arguments(slots.size());
-    bool broken = false;
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-        if (!(*bound)[i]) continue;
-        arguments[i] = lower_expression(lowering, *(*bound)[i]);
-        broken = broken || is_nothing(arguments[i]);
-    }
-    if (broken) return Nothing{};
-    return call_user_function(lowering, function, call.name, arguments);
+    const std::vector<Slot> slots = slots_of(*function.definition);
+    return call_bound(lowering, function, call, bind_to_user_function(lowering, call, slots),
+                      [&](std::size_t, ExpressionId id) { return lower_expression(lowering, id); });
+}
+
+Value call_library_function(Lowering& lowering, const FunctionValue& function, const Call& call) {
+    const std::vector<FunctionParameter>& parameters = *function.definition->parameters;
+    const std::vector<Slot> slots = slots_of(*function.definition);
+    const auto lower_argument = [&](std::size_t i, ExpressionId id) -> Value {
+        if (!parameters[i].initial) return lower_expression(lowering, id);
+        const ExpressionNode& initial = function.source->program[*parameters[i].initial].node;
+        const auto* tuple = std::get_if<Tuple>(&initial);
+        const auto given = uniform_components(lowering, call, parameters[i].name, id,
+                                              tuple ? tuple->parts.size() : 1);
+        if (!given) return Nothing{};
+        if (!tuple) return (*given)[0];
+        return VectorValue{Algebra::vector, *given};
+    };
+    const bool of_fields = std::ranges::any_of(slots, &Slot::required);
+    return call_bound(lowering, function, call, bind(lowering, call, slots, of_fields),
+                      lower_argument);
 }
 
 Value call_user_function(Lowering& lowering, const FunctionValue& function, base::SourceSpan span,

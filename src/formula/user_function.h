@@ -19,6 +19,11 @@ Value define_function(Lowering& lowering, const Definition& definition);
 /// A call as it is written, with arguments by place or by name.
 Value call_user_function(Lowering& lowering, const FunctionValue& function, const Call& call);
 
+/// A call of a definition of the library, with the rules of the primitives: what is given for a
+/// parameter with an initial value must be the same at every point, and have as many components. A
+/// parameter without one takes anything.
+Value call_library_function(Lowering& lowering, const FunctionValue& function, const Call& call);
+
 /// A call with values, by place; Nothing stands for an argument that is left out.
 Value call_user_function(Lowering& lowering, const FunctionValue& function, base::SourceSpan span,
                          std::span<const Value> arguments);

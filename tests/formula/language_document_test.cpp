@@ -11,6 +11,7 @@
 #include "formula/built_in.h"
 #include "formula/combinations.h"
 #include "formula/functions.h"
+#include "formula/prelude.h"
 #include "formula/understood.h"
 #include "formula/vector_functions.h"
 
@@ -64,6 +65,7 @@ TEST(LanguageDocument, lists_every_callable_with_its_signature) {
     for (const VectorFunction& it : vector_functions()) expect(std::string(it.signature));
     for (const Combination& it : combinations()) expect(std::string(it.signature));
     for (const field::Primitive& it : field::primitives()) expect(signature(it));
+    for (const std::string_view it : prelude_names()) expect(signature(it));
 }
 
 }  // namespace
