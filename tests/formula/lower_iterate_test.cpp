@@ -208,6 +208,12 @@ TEST(LowerIterate, says_why_there_is_no_distance) {
           "1:1: 'smooth_turns' cannot be told without 'until length(q) > 4'");
 }
 
+TEST(LowerIterate, has_a_number_as_distance) {
+    check("iterate a = x for 3: a = 2a; distance = (a, 1)",
+          "1:41: a vector of 2 cannot be used as a distance; take its length(…) or a component "
+          "such as .x");
+}
+
 TEST(LowerIterate, says_what_a_colour_is) {
     check("iterate a = x for 3: a = 2a; distance = a; colour = (a, 1)",
           "1:53: a colour is a number or a vector of 3, not a vector of 2");
