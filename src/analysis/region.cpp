@@ -60,9 +60,12 @@ double diameter(const Region& region) {
     return 2 * (region.sphere ? region.half.x : glm::length(region.half));
 }
 
-std::array<Cell, 2> halves(const Cell& cell) {
+int longest_axis(const Cell& cell) {
     const glm::dvec3 size = cell.high - cell.low;
-    const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+    return size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+}
+
+std::array<Cell, 2> halves(const Cell& cell, int axis) {
     const double cut = cell.middle()[axis];
     std::array<Cell, 2> result{cell, cell};
     result[0].high[axis] = cut;

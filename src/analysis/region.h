@@ -43,8 +43,13 @@ bool contains(const Region& region, glm::dvec3 point);
 /// The longest straight way inside the region.
 double diameter(const Region& region);
 
-/// Two cells that cover the cell, cut across its longest side.
-std::array<Cell, 2> halves(const Cell& cell);
+/// The axis of the cell's longest side.
+int longest_axis(const Cell& cell);
+
+/// Two cells that cover the cell, cut across the axis.
+std::array<Cell, 2> halves(const Cell& cell, int axis);
+/// The same across its longest side.
+inline std::array<Cell, 2> halves(const Cell& cell) { return halves(cell, longest_axis(cell)); }
 
 /// A point of the region, the same for the same number; the points of 0, 1, 2, ... fill it evenly.
 glm::dvec3 spread_point(const Region& region, unsigned number);

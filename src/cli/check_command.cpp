@@ -1,10 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "cli/check_command.h"
 
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "analysis/facts.h"
+#include "cli/facts.h"
 #include "cli/run.h"
+#include "compile/check_scene.h"
+#include "compile/visible_region.h"
 
 namespace cli {
 
-int check(const InputOptions& options) { return read_input(options) ? success : failed; }
+int check(const InputOptions& input_options, const CheckOptions& options) {
+    const auto input = read_input(input_options);
+    if (!input) return failed;
+    report(input->source, compile::check_scene(input->formula, input->document));
+    if (!options.facts && !options.json) return success;
+    const field::Field& field = input->formula.field;
+    const auto facts = analysis::find_facts(field, compile::visible_region(input->document.bounds),
+                                            compile::parameter_values(field, input->document));
+    fmt::print("{}",
+               options.json ? facts_json(facts, field.graph) : facts_text(facts, field.graph));
+    return success;
+}
 
 }  // namespace cli

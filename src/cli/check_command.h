@@ -6,6 +6,11 @@
 
 namespace cli {
 
-int check(const InputOptions& options);
+struct CheckOptions {
+    bool facts = false;  ///< print what is known about the scene
+    bool json = false;   ///< the same for machines
+};
+
+int check(const InputOptions& input_options, const CheckOptions& options);
 
 }  // namespace cli

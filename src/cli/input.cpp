@@ -19,27 +19,20 @@ void print_all(const base::Diagnostics& problems, std::string_view name, std::st
     }
 }
 
-/// Where a text is from, to report places in it.
-struct Source {
-    std::string name;
-    std::string text;
-    std::vector<std::uint32_t>
-        places;  ///< of each byte of the formula in the text; empty: the same
-    scene::ParameterPlaces parameters{};
-
-    base::Diagnostics in_text(base::Diagnostics problems) const {
-        if (places.empty()) return problems;
-        for (base::Diagnostic& problem : problems) {
-            if (!problem.span) continue;
-            const std::uint32_t last = static_cast<std::uint32_t>(places.size() - 1);
-            const std::uint32_t begin = std::min(problem.span->begin, last);
-            const std::uint32_t end = std::min(std::max(problem.span->end, begin), last);
-            // The end is behind the last byte, not at the next one: that may be on another line.
-            problem.span = {places[begin], end > begin ? places[end - 1] + 1 : places[begin]};
-        }
-        return problems;
+/// The same problems of a formula with places in the source's text.
+base::Diagnostics in_text(const Source& source, base::Diagnostics problems) {
+    if (source.places.empty()) return problems;
+    for (base::Diagnostic& problem : problems) {
+        if (!problem.span) continue;
+        const std::uint32_t last = static_cast<std::uint32_t>(source.places.size() - 1);
+        const std::uint32_t begin = std::min(problem.span->begin, last);
+        const std::uint32_t end = std::min(std::max(problem.span->end, begin), last);
+        // The end is behind the last byte, not at the next one: that may be on another line.
+        problem.span = {source.places[begin],
+                        end > begin ? source.places[end - 1] + 1 : source.places[begin]};
     }
-};
+    return problems;
+}
 
 /// Fills source and document from the options; false after reporting errors.
 bool read_document(const InputOptions& options, Source& source, scene::Document& document) {
@@ -86,24 +79,27 @@ void add_input_options(CLI::App& command, InputOptions& options) {
 }
 
 std::optional<Input> read_input(const InputOptions& options) {
-    Source source;
     Input input;
-    if (!read_document(options, source, input.document)) return std::nullopt;
+    if (!read_document(options, input.source, input.document)) return std::nullopt;
     const auto start = std::chrono::steady_clock::now();
     auto formula = compile::compile_formula(input.document.formula);
     input.parse_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!formula) {
-        print_all(source.in_text(formula.problems()), source.name, source.text);
+        report(input.source, formula.problems());
         return std::nullopt;
     }
-    print_all(source.in_text(formula->warnings), source.name, source.text);
-    const auto problems =
-        compile::check_parameters(formula->field, input.document.parameters, source.parameters);
-    print_all(problems, source.name, source.text);
+    report(input.source, formula->warnings);
+    const auto problems = compile::check_parameters(formula->field, input.document.parameters,
+                                                    input.source.parameters);
+    print_all(problems, input.source.name, input.source.text);
     if (base::has_errors(problems)) return std::nullopt;
     input.formula = std::move(*formula);
     return input;
+}
+
+void report(const Source& source, const base::Diagnostics& problems) {
+    print_all(in_text(source, problems), source.name, source.text);
 }
 
 void report(const base::Diagnostics& problems) { print_all(problems, "zeroset", ""); }

@@ -10,6 +10,7 @@
 #include "cli/output_file.h"
 #include "cli/run.h"
 #include "cli/stats.h"
+#include "compile/check_scene.h"
 #include "image/pfm.h"
 #include "image/png.h"
 #include "render/context.h"
@@ -111,6 +112,7 @@ int render_command(const InputOptions& input_options, const RenderOptions& optio
     auto input = read_input(input_options);
     if (!input) return failed;
     if (!apply(options, *input)) return usage;
+    report(input->source, compile::check_scene(input->formula, input->document));
     for (const std::string& path :
          {outputs.picture, outputs.depth, outputs.normal, outputs.stats}) {
         if (!path.empty() && path != "-" && !done(check_writable(path))) return failed;

@@ -21,6 +21,7 @@ namespace {
 /// All that the command line can say.
 struct Arguments {
     InputOptions input;
+    CheckOptions check;
     RenderOptions render;
     RenderOutputs outputs;
     Emitted emitted = Emitted::glsl;
@@ -50,6 +51,10 @@ CLI::App* add_render(CLI::App& app, Arguments& a) {
 CLI::App* add_check(CLI::App& app, Arguments& a) {
     CLI::App* command = app.add_subcommand("check", "Parses and checks; renders nothing");
     add_input_options(*command, a.input);
+    command->add_flag(
+        "--facts", a.check.facts,
+        "Prints what is known: degree, smoothness, distance, extent, dependences, cost");
+    command->add_flag("--json", a.check.json, "Prints the facts as JSON");
     return command;
 }
 
@@ -106,7 +111,7 @@ int dispatch(int argc, char** argv) {
         return usage;
     }
     if (*render) return render_command(a.input, a.render, a.outputs);
-    if (*check_app) return check(a.input);
+    if (*check_app) return check(a.input, a.check);
     if (*emit_app) return emit(a.input, a.render, a.emitted);
     return studio_command(a);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/leaf_bounds.h"
+#include "compile/visible_region.h"
 #include "formula/lower.h"
 #include "passes/pipeline.h"
 
@@ -13,18 +14,13 @@ namespace {
 
 using shader::FieldValue;
 
-analysis::Region region_of(const scene::Bounds& bounds) {
-    const scene::Bounds framed = scene::framed_region(bounds);
-    return {framed.centre, framed.half, framed.shape == scene::Bounds::Shape::sphere};
-}
-
 /// Bounds by leaf, found when they are first asked for.
 class Bounds {
 public:
     Bounds(const Formula& formula, const scene::Document& document, std::span<const double> values)
         : formula_(formula),
           unbounded_(document.bounds.shape == scene::Bounds::Shape::none),
-          region_(region_of(document.bounds)),
+          region_(visible_region(document.bounds)),
           values_(values) {}
 
     const analysis::LeafBounds& of(field::FieldId leaf) {
@@ -73,7 +69,7 @@ float number(const FieldValue& value, Bounds& bounds, double expression) {
 base::Result<Formula> compile_formula(std::string_view text) {
     auto lowered = formula::understand(text);
     if (!lowered) return lowered.problems();
-    Formula formula{std::move(lowered->field), std::move(lowered->warnings), {}};
+    Formula formula{std::move(lowered->field), std::move(lowered->warnings), lowered->result, {}};
     passes::run(formula.field);
     for (field::FieldId id : leaves(formula.field, formula.field.root)) {
         const auto* leaf = std::get_if<field::Formula>(&formula.field[id]);

@@ -21,6 +21,7 @@ namespace compile {
 struct Formula {
     field::Field field;
     base::Diagnostics warnings;
+    base::SourceSpan result;  ///< the last expression, whose field this is
     /// For each leaf that is no distance the tape that its bounds are found from.
     std::map<field::FieldId, eval::Tape> tapes;
 };

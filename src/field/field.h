@@ -36,6 +36,7 @@ struct Formula {
     Metric metric = Metric::scalar;
     Kind kind = Kind::solid;
     std::optional<Colour> colour{};
+    bool exact = false;  ///< the signed distance itself and not only a bound of it
 };
 
 /// An escape-time leaf, always a solid. The state starts at `start` (of the point), and `step` (of

@@ -25,8 +25,9 @@ Point point_of(Field& field) {
             {g, g.variable(graph::variable_z)}};
 }
 
+/// The signed distance itself, which all primitives here compute.
 FieldId distance(Field& field, Expr value) {
-    return field.add(Formula{value.id, Metric::distance, Kind::solid});
+    return field.add(Formula{.value = value.id, .metric = Metric::distance, .exact = true});
 }
 
 /// The exact distance of a box in the plane from the signed distances to its two pairs of walls.

@@ -63,7 +63,8 @@ base::Result<Lowered> lower(const Program& program, std::string_view text) {
     if (!root || base::has_errors(lowering.errors)) return in_order(std::move(lowering.errors));
     lowering.field.root = root->id;
     warn_of_unused_names(lowering);
-    return Lowered{std::move(lowering.field), in_order(std::move(lowering.warnings))};
+    return Lowered{std::move(lowering.field), in_order(std::move(lowering.warnings)),
+                   lowering.span(program.result)};
 }
 
 base::Result<Lowered> understand(std::string_view text) {

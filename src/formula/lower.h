@@ -13,6 +13,7 @@ namespace formula {
 struct Lowered {
     field::Field field;
     base::Diagnostics warnings;  ///< in the order of the text
+    base::SourceSpan result;     ///< of the last expression
 };
 
 /// The field of a program that was parsed from this text. All errors are found, in the order of the

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "compile/check_scene.h"
+
 namespace studio {
 namespace {
 
@@ -34,9 +36,9 @@ std::optional<BuiltScene> SceneBuilder::build_throwing(const scene::Document& do
         read(document.formula);
     }
     BuiltScene built;
-    if (!make_drawable(document, built, superseded)) return std::nullopt;
     built.text = *text_;
     built.diagnostics = diagnostics_;
+    if (!make_drawable(document, built, superseded)) return std::nullopt;
     if (drawn_) {
         built.field_values = compile::field_values(drawn_->formula, drawn_->source, document);
         built.bounds = document.bounds;
@@ -63,7 +65,11 @@ bool SceneBuilder::make_drawable(const scene::Document& document, BuiltScene& bu
                                  const std::function<bool()>& superseded) {
     const compile::Formula* formula = candidate_ ? &*candidate_ : this->formula();
     if (!formula) return true;
-    if (understood_) built.parameters = formula->field.parameters;
+    if (understood_) {
+        built.parameters = formula->field.parameters;
+        const base::Diagnostics warnings = compile::check_scene(*formula, document);
+        built.diagnostics.insert(built.diagnostics.end(), warnings.begin(), warnings.end());
+    }
     shader::ProgramSource source = compile::program_source(*formula, document, live_outputs);
     const bool another = !drawn_ || source.fragment != drawn_->source.fragment ||
                          source.vertex != drawn_->source.vertex;

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/facts.h"
+
+#include <algorithm>
+#include <map>
+
+#include "analysis/derivative_bounds.h"
+#include "analysis/polynomial_degree.h"
+
+namespace analysis {
+namespace {
+
+using field::FieldId;
+using graph::NodeId;
+using numeric::infinity;
+
+constexpr Effort smoothness_effort{.cells = 400, .depth = 24};
+
+/// Operators that one proof may evaluate in intervals: some milliseconds.
+constexpr std::size_t operations_a_proof = 400'000;
+
+Effort extent_effort(const ContentFinder& content) {
+    const std::size_t cells = operations_a_proof / std::max<std::size_t>(content.operations(), 1);
+    return {.cells = static_cast<int>(std::clamp<std::size_t>(cells, 100, 20'000)),
+            .tolerance = 1.0 / 512};
+}
+
+class Finder {
+public:
+    Finder(const field::Field& field, const Region& region, std::span<const double> parameters)
+        : field_(field), region_(region), parameters_(parameters) {}
+
+    Facts find(FieldId id) {
+        Facts facts;
+        facts.kind = kind_of(field_, id);
+        if (const auto* formula = std::get_if<field::Formula>(&field_[id])) {
+            facts.degree = polynomial_degree(field_.graph, formula->value);
+            facts.lipschitz = lipschitz(id);
+        }
+        facts.regularity = regularity_of(id);
+        facts.metric = metric(field_, id, [&](FieldId leaf) { return lipschitz(leaf); });
+        find_extent(id, facts);
+        facts.dependence = dependence(field_, id);
+        facts.cost = cost(field_, id);
+        return facts;
+    }
+
+private:
+    double lipschitz(FieldId leaf) {
+        const auto found = lipschitz_.find(leaf);
+        if (found != lipschitz_.end()) return found->second;
+        const auto& formula = std::get<field::Formula>(field_[leaf]);
+        const double bound =
+            gradient_bound(derivative_tapes(field_.graph, formula.value), region_, parameters_, {});
+        return lipschitz_[leaf] = bound;
+    }
+
+    Regularity regularity_of(FieldId id) const {
+        const auto of = [&](NodeId root) {
+            return analysis::regularity(field_.graph, root, region_, parameters_,
+                                        smoothness_effort);
+        };
+        if (const auto* formula = std::get_if<field::Formula>(&field_[id])) {
+            return of(formula->value);
+        }
+        if (const auto* iteration = std::get_if<field::Iteration>(&field_[id])) {
+            return of_iteration(*iteration, of);
+        }
+        const std::vector<FieldId> objects = leaves(field_, id);
+        Regularity worst{objects.size() > 1 ? Smoothness::piecewise : Smoothness::smooth, false};
+        for (const FieldId object : objects) worst = worse(worst, regularity_of(object));
+        return worst;
+    }
+
+    static Regularity worse(const Regularity& a, const Regularity& b) {
+        return {std::max(a.smoothness, b.smoothness), a.partial || b.partial};
+    }
+
+    /// A fixed number of turns is a composition; what escapes at some turn has an answer for each.
+    static Regularity of_iteration(const field::Iteration& iteration, const auto& of) {
+        Regularity worst{iteration.escape ? Smoothness::discontinuous : Smoothness::smooth, false};
+        for (const NodeId root : iteration.start) worst = worse(worst, of(root));
+        for (const NodeId root : iteration.step) worst = worse(worst, of(root));
+        return worse(worst, of(iteration.distance));
+    }
+
+    void find_extent(FieldId id, Facts& facts) const {
+        ContentFinder content(field_, id, parameters_);
+        const Effort effort = extent_effort(content);
+        if (proven_empty(content, region_, effort)) return;
+        facts.full = proven_full(content, region_, effort);
+        facts.box = bounding_box(content, region_, effort);
+        if (facts.box) facts.reach = reach(content, region_, *facts.box, effort);
+    }
+
+    const field::Field& field_;
+    const Region& region_;
+    std::span<const double> parameters_;
+    std::map<FieldId, double> lipschitz_;
+};
+
+}  // namespace
+
+SceneFacts find_facts(const field::Field& field, const Region& region,
+                      std::span<const double> parameters) {
+    Finder finder(field, region, parameters);
+    SceneFacts scene{finder.find(field.root), {}};
+    for (const FieldId object : leaves(field, field.root)) {
+        scene.objects.push_back(finder.find(object));
+    }
+    return scene;
+}
+
+}  // namespace analysis
