@@ -70,12 +70,13 @@ void ContentFinder::prepare(const field::Iteration& iteration, FieldId id) {
         return eval::make_tape(field_.graph, roots);
     };
     const auto one = [&](NodeId root) { return tape(std::span(&root, 1)); };
-    Loop loop{tape(iteration.start),
+    Loop loop{iteration,
+              tape(iteration.start),
               tape(iteration.step),
               iteration.escape ? one(*iteration.escape) : eval::Tape{},
               one(iteration.distance),
               std::round(number(iteration.limit)),
-              may_have_poles(field_.graph, field::expressions(field_[id]))};
+              may_have_poles(field_.graph, field::expressions(iteration))};
     const std::size_t turn = loop.step.instructions.size() + loop.escape.instructions.size() +
                              loop.distance.instructions.size();
     const double turns = loop.limit <= most_turns ? std::max(loop.limit, 0.0) + 1 : 0;
@@ -84,7 +85,7 @@ void ContentFinder::prepare(const field::Iteration& iteration, FieldId id) {
 }
 
 void ContentFinder::prepare(FieldId id) {
-    const field::Node& node = field_[id];
+    const field::Node node = field::shape(field_, id);
     if (const auto* leaf = std::get_if<field::Formula>(&node)) {
         const bool fresh = formula_of_.try_emplace(id, formulas_.size()).second;
         if (!fresh) return;
@@ -106,7 +107,8 @@ std::span<const Interval> ContentFinder::run(const eval::Tape& tape) {
 
 /// The answers of all turns at which a point of the cell may escape, and -infinity if one may never
 /// escape.
-Interval ContentFinder::follow(const field::Iteration& iteration, const Loop& loop) {
+Interval ContentFinder::follow(const Loop& loop) {
+    const field::Iteration& iteration = loop.iteration;
     if (loop.limit > most_turns) return Interval::whole();
     const auto set_state = [&](std::span<const Interval> state) {
         for (std::size_t i = 0; i < iteration.state.size(); ++i) {
@@ -140,8 +142,8 @@ struct ContentFinder::Visitor {
         if (leaf.kind == field::Kind::solid) return {solid_value(value, poles), false};
         return {infinity, value.contains(0) || (poles && value.partial)};
     }
-    Content operator()(const field::Iteration& leaf) const {
-        return {finder.follow(leaf, finder.loops_.at(id)), false};
+    Content operator()(const field::Iteration&) const {
+        return {finder.follow(finder.loops_.at(id)), false};
     }
     Content operator()(const field::Complement& node) const {
         const Interval inner = finder.content(node.a).solid;

@@ -39,6 +39,7 @@ public:
 
 private:
     struct Loop {
+        field::Iteration iteration;  ///< without what only its colour needs
         eval::Tape start, step, escape, distance;
         double limit = 0;
         bool poles = false;
@@ -49,7 +50,7 @@ private:
     void prepare(const field::Iteration& iteration, field::FieldId id);
     std::span<const numeric::Interval> run(const eval::Tape& tape);
     double number(graph::NodeId id);
-    numeric::Interval follow(const field::Iteration& iteration, const Loop& loop);
+    numeric::Interval follow(const Loop& loop);
     Content content(field::FieldId id);
 
     const field::Field& field_;

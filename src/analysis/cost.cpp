@@ -40,7 +40,7 @@ struct Counter {
     }
 
     void add(field::FieldId id) {
-        add(field[id]);
+        add(field::shape(field, id));
         const std::vector<field::FieldId> below = field::children(field[id]);
         if (!below.empty()) ++cost.point;
         for (const field::FieldId child : below) add(child);

@@ -9,7 +9,7 @@
 namespace analysis {
 
 /// Operations of the graph, each shared one once in every leaf; the weight of an operator does not
-/// count. Joining two fields counts as one operation.
+/// count. Joining two fields counts as one operation, colours do not count.
 struct Cost {
     std::size_t point = 0;    ///< at each point, beside the turns of iterations
     std::size_t turn = 0;     ///< in each turn of an iteration, summed over all iterations

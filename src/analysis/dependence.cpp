@@ -11,7 +11,7 @@ namespace {
 using graph::NodeId;
 
 void collect(const field::Field& field, field::FieldId id, std::vector<NodeId>& roots) {
-    const std::vector<NodeId> own = field::expressions(field[id]);
+    const std::vector<NodeId> own = field::expressions(field::shape(field, id));
     roots.insert(roots.end(), own.begin(), own.end());
     for (const field::FieldId child : field::children(field[id])) collect(field, child, roots);
 }

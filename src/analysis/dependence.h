@@ -24,7 +24,7 @@ struct Dependence {
 
 Dependence dependence(const graph::Graph& graph, std::span<const graph::NodeId> roots);
 
-/// Of a node of the tree with all below it.
+/// Of the shape of a node of the tree with all below it; colours do not count.
 Dependence dependence(const field::Field& field, field::FieldId id);
 
 }  // namespace analysis

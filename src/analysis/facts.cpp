@@ -6,6 +6,7 @@
 
 #include "analysis/derivative_bounds.h"
 #include "analysis/polynomial_degree.h"
+#include "field/parts.h"
 
 namespace analysis {
 namespace {
@@ -63,8 +64,8 @@ private:
         if (const auto* formula = std::get_if<field::Formula>(&field_[id])) {
             return of(formula->value);
         }
-        if (const auto* iteration = std::get_if<field::Iteration>(&field_[id])) {
-            return of_iteration(*iteration, of);
+        if (std::holds_alternative<field::Iteration>(field_[id])) {
+            return of_iteration(std::get<field::Iteration>(field::shape(field_, id)), of);
         }
         const std::vector<FieldId> objects = leaves(field_, id);
         Regularity worst{objects.size() > 1 ? Smoothness::piecewise : Smoothness::smooth, false};

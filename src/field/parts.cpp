@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "field/parts.h"
 
+#include <span>
+
 namespace field {
 namespace {
 
@@ -53,6 +55,27 @@ std::vector<NodeId> expressions(const Node& node) {
     std::vector<NodeId> list;
     for (const NodeId* place : expressions(copy)) list.push_back(*place);
     return list;
+}
+
+Node shape(const Field& field, FieldId id) {
+    Node node = field[id];
+    if (auto* formula = std::get_if<Formula>(&node)) formula->colour.reset();
+    auto* iteration = std::get_if<Iteration>(&node);
+    if (!iteration) return node;
+    const std::vector<bool> needed =
+        needed_state(field.graph, *iteration, std::span(&iteration->distance, 1));
+    Iteration result = *iteration;
+    result.colour.reset();
+    result.state.clear();
+    result.start.clear();
+    result.step.clear();
+    for (std::size_t i = 0; i < needed.size(); ++i) {
+        if (!needed[i]) continue;
+        result.state.push_back(iteration->state[i]);
+        result.start.push_back(iteration->start[i]);
+        result.step.push_back(iteration->step[i]);
+    }
+    return result;
 }
 
 std::vector<FieldId> children(const Node& node) { return std::visit(Children{}, node); }

@@ -13,6 +13,9 @@ std::vector<graph::NodeId*> expressions(Node& node);
 /// All expressions of the node itself, in the same order.
 std::vector<graph::NodeId> expressions(const Node& node);
 
+/// The node as far as its shape goes: without colours, and without the state that only they need.
+Node shape(const Field& field, FieldId id);
+
 /// The nodes right below, from left to right; none below a leaf.
 std::vector<FieldId> children(const Node& node);
 
