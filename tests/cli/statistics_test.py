@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The statistics of a render."""
+
+import json
+
+from program import Folder, main, run
+
+
+class Statistics(Folder):
+    def stats(self, *arguments, **environment):
+        result = run("render", "--formula", "x^2 + y^2 + z^2 = 1", "--size", "40x30", "--stats", "-",
+                     *arguments, **environment)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return json.loads(result.stdout)
+
+    def test_have_all_fields_of_the_contract(self):
+        stats = self.stats()
+        for name, kind in (("tracer", str), ("backend", str), ("renderer", str), ("width", int),
+                           ("height", int), ("evaluations", int)):
+            self.assertIsInstance(stats[name], kind, name)
+        for name in ("parse", "analyse", "link", "first_frame"):
+            self.assertIsInstance(stats["seconds"][name], float)
+            self.assertGreaterEqual(stats["seconds"][name], 0)
+        self.assertEqual(stats["seconds"]["frames"], [])
+        self.assertEqual((stats["width"], stats["height"]), (40, 30))
+        self.assertEqual((stats["tracer"], stats["backend"]), ("auto", "osmesa"))
+        self.assertIn("llvmpipe", stats["renderer"])
+
+    def test_add_up(self):
+        pixels = self.stats()["pixels"]
+        self.assertEqual(pixels["hit"] + pixels["miss"] + pixels["unresolved"], 40 * 30)
+        self.assertGreater(pixels["hit"], 0)
+        self.assertGreater(pixels["miss"], 0)
+        self.assertEqual(pixels["unresolved"], 0)
+        few = self.stats("--steps", "2")["pixels"]
+        self.assertEqual(few["hit"] + few["miss"] + few["unresolved"], 40 * 30)
+        self.assertGreater(few["unresolved"], 0)
+
+    def test_are_of_the_region(self):
+        stats = self.stats("--region", "5,6,7,8")
+        self.assertEqual((stats["width"], stats["height"]), (7, 8))
+        self.assertEqual(sum(stats["pixels"].values()), 56)
+
+    def test_count_evaluations(self):
+        stats = self.stats()
+        self.assertGreaterEqual(stats["evaluations"], stats["pixels"]["hit"])
+        self.assertEqual(stats["evaluations"], self.stats()["evaluations"])
+
+    def test_time_each_repeat(self):
+        frames = self.stats("--repeat", "2")["seconds"]["frames"]
+        self.assertEqual(len(frames), 2)
+        self.assertTrue(all(seconds > 0 for seconds in frames))
+
+    def test_in_a_file(self):
+        path = self.folder / "s.json"
+        result = run("render", "--formula", "x = 0", "--size", "9x9", "--stats", str(path))
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        self.assertEqual(json.loads(path.read_text(encoding="utf-8"))["width"], 9)
+
+
+if __name__ == "__main__":
+    main()
