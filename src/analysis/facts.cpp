@@ -2,6 +2,7 @@
 #include "analysis/facts.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "analysis/derivative_bounds.h"
@@ -51,9 +52,12 @@ private:
         const auto found = lipschitz_.find(leaf);
         if (found != lipschitz_.end()) return found->second;
         const auto& formula = std::get<field::Formula>(field_[leaf]);
-        const double bound =
-            gradient_bound(derivative_tapes(field_.graph, formula.value), region_, parameters_, {});
-        return lipschitz_[leaf] = bound;
+        const Regularity regular = regularity_of(leaf);
+        // Across a jump or the edge of a domain the gradient says nothing.
+        const bool breaks = regular.partial || regular.smoothness == Smoothness::discontinuous;
+        const eval::Tape tape = eval::make_tape(field_.graph, std::array{formula.value});
+        return lipschitz_[leaf] =
+                   breaks ? infinity : gradient_bound(tape, region_, parameters_, {});
     }
 
     Regularity regularity_of(FieldId id) const {

@@ -86,6 +86,8 @@ TEST(Facts, of_objects_are_told_apart_from_those_of_the_scene) {
 TEST(Facts, prove_that_a_gentle_formula_is_a_distance_bound) {
     EXPECT_EQ(facts_of("0.4*sin(x) + 0.3*y <= 0").whole.metric, Metric::bound);
     EXPECT_EQ(facts_of("sin(2x) <= 0").whole.metric, Metric::none);
+    // The gradient is 0 wherever there is one.
+    EXPECT_EQ(facts_of("floor(x) <= 0.5").whole.metric, Metric::none);
 }
 
 TEST(Facts, keep_distances_exact_through_motions) {
