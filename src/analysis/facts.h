@@ -25,8 +25,8 @@ struct Facts {
     /// iteration may jump.
     Regularity regularity;
     Metric metric = Metric::none;
-    /// Rigorous: a Lipschitz constant over the region; +infinity if none was found, and for whatever
-    /// is no single expression.
+    /// Rigorous: a Lipschitz constant over the region; +infinity if none was found, and for
+    /// whatever is no single expression.
     double lipschitz = numeric::infinity;
     /// Rigorous: holds all of it that is in the region; none if nothing is, proven.
     std::optional<Cell> box;
