@@ -49,9 +49,6 @@ constexpr std::array table{
     Row{Op::select_less, {large, large, large, large}, Unit::none, 0},
 };
 
-/// The squares in a length must not vanish.
-constexpr double least_length = 1e-18;
-
 }  // namespace
 
 std::span<const Row> operator_table() { return table; }

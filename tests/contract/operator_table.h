@@ -46,6 +46,10 @@ const Row* find_row(graph::Op op);
 /// True where an operator's precondition holds: for others nothing at all is promised.
 bool is_allowed(graph::Op op, const Arguments& arguments);
 
+/// Beside the square of the largest argument of a length those that vanish must not count: it is at
+/// least this.
+inline constexpr double least_length = 1e-15;
+
 /// True where the row's bound is promised.
 bool is_promised(const Row& row, const Arguments& arguments);
 

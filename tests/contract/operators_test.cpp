@@ -12,7 +12,7 @@
 
 #include "base/file.h"
 #include "contract/arguments.h"
-#include "contract/glsl_operator.h"
+#include "contract/glsl_values.h"
 #include "contract/operator_table.h"
 #include "eval/operators.h"
 
@@ -133,15 +133,15 @@ TEST_P(Operators, glsl_is_as_exact_as_promised_and_undefined_at_the_same_places)
     const auto context = render::open_osmesa();
     ASSERT_TRUE(context) << context.problems()[0].message;
     const std::vector<Arguments> list = places(*row);
-    const std::vector<float> found = glsl_values(**context, row->op, list);
+    const auto found = glsl_values(**context, operator_program(row->op), list);
     ASSERT_EQ(found.size(), list.size());
     double worst = 0;
     int wrong = 0;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const double error = error_of(*row, list[i], found[i]);
+        const double error = error_of(*row, list[i], found[i][0]);
         worst = std::max(worst, error);
         if (error <= row->bound || ++wrong > 10) continue;
-        ADD_FAILURE() << describe(row->op, list[i]) << " in GLSL is " << found[i] << ": error "
+        ADD_FAILURE() << describe(row->op, list[i]) << " in GLSL is " << found[i][0] << ": error "
                       << error << " " << name_of(row->unit) << ", promised " << row->bound;
     }
     EXPECT_EQ(wrong, 0) << "of " << list.size() << " places";

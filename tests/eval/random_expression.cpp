@@ -55,15 +55,16 @@ double awkward_number(Random& random) {
     }
 }
 
-RandomExpression random_expression(Random& random, int size) {
+RandomExpression random_expression(Random& random, int size, int variables) {
     using graph::NodeId;
     using graph::Op;
     RandomExpression result;
     graph::Graph& g = result.graph;
-    std::vector<NodeId> nodes{
-        g.variable(graph::variable_x),       g.variable(graph::variable_y),
-        g.variable(graph::variable_z),       g.parameter(g.new_parameter("p")),
-        g.constant(ordinary_number(random)), g.constant(2)};
+    const NodeId fourth =
+        variables > 3 ? g.variable(g.new_variable("w")) : g.parameter(g.new_parameter("p"));
+    std::vector<NodeId> nodes{g.variable(graph::variable_x),       g.variable(graph::variable_y),
+                              g.variable(graph::variable_z),       fourth,
+                              g.constant(ordinary_number(random)), g.constant(2)};
     const auto any = [&] { return nodes[random() % nodes.size()]; };
     for (int i = 0; i < size; ++i) {
         const auto op = static_cast<Op>(3 + random() % (graph::operator_count - 3));

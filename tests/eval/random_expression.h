@@ -17,12 +17,12 @@ double awkward_number(Random& random);
 /// A number in [-4, 4], often whole.
 double ordinary_number(Random& random);
 
-/// A graph in x, y, z and one parameter `p` with about `size` operators, and its last node. Every
-/// operator may occur, `ratio` only over a fitting length.
+/// A graph in x, y, z and one parameter `p` (or, with four variables, w instead) with about `size`
+/// operators, and its last node. Every operator may occur, `ratio` only over a fitting length.
 struct RandomExpression {
     graph::Graph graph;
     graph::NodeId root{};
 };
-RandomExpression random_expression(Random& random, int size);
+RandomExpression random_expression(Random& random, int size, int variables = 3);
 
 }  // namespace eval

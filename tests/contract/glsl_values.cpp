@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "contract/glsl_operator.h"
+#include "contract/glsl_values.h"
 
 #include <algorithm>
 #include <array>
@@ -31,22 +31,20 @@ void report(const base::Result<T>& failed) {
 
 }  // namespace
 
-std::string operator_program(graph::Op op) {
-    graph::Graph graph;
-    const std::array<graph::VariableId, graph::max_arity> variables{
-        graph::variable_x, graph::variable_y, graph::variable_z, graph.new_variable("w")};
+std::optional<std::string> expression_program(const graph::Graph& graph,
+                                              std::span<const graph::NodeId> roots) {
     std::map<graph::VariableId, std::string> names;
-    std::vector<graph::NodeId> arguments;
-    for (int i = 0; i < graph::facts(op).arity; ++i) {
-        const graph::VariableId id = variables[static_cast<std::size_t>(i)];
-        names[id] = fmt::format("a.{}", "xyzw"[i]);
-        arguments.push_back(graph.variable(id));
+    for (std::size_t i = 0; i < std::min<std::size_t>(4, graph.variable_count()); ++i) {
+        names[static_cast<graph::VariableId>(i)] = fmt::format("a.{}", "xyzw"[i]);
     }
-    const graph::NodeId root = graph.apply(op, arguments);
     const std::vector<bool> depends = depends_on_variables(graph);
     shader::FieldValues values;
     shader::ExpressionWriter writer(graph, depends, values, names);
-    const std::string statements = writer.statements(std::array{root}, "    ");
+    const std::string statements = writer.statements(roots, "    ");
+    std::array<std::string, 4> results{"0.0", "0.0", "0.0", "0.0"};
+    std::ranges::transform(roots, results.begin(),
+                           [&](graph::NodeId root) { return writer.spelling(root); });
+    if (!values.list().empty()) return std::nullopt;
 
     shader::Assembly assembly;
     assembly.add_code("#version 450 core\n");
@@ -60,24 +58,35 @@ std::string operator_program(graph::Op op) {
         fmt::format("void main() {{\n"
                     "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
                     "    vec4 a = field_values[pixel.y * {} + pixel.x];\n"
-                    "{}    geometry_out = vec4({}, 0.0, 0.0, 0.0);\n"
+                    "{}    geometry_out = vec4({});\n"
                     "}}\n",
-                    side, statements, writer.spelling(root)));
+                    side, statements, fmt::join(results, ", ")));
     return assembly.text();
 }
 
-std::vector<float> glsl_values(const render::Context& context, graph::Op op,
-                               std::span<const Arguments> places) {
+std::string operator_program(graph::Op op) {
+    graph::Graph graph;
+    const std::array<graph::VariableId, graph::max_arity> variables{
+        graph::variable_x, graph::variable_y, graph::variable_z, graph.new_variable("w")};
+    std::vector<graph::NodeId> arguments;
+    for (int i = 0; i < graph::facts(op).arity; ++i) {
+        arguments.push_back(graph.variable(variables[static_cast<std::size_t>(i)]));
+    }
+    return *expression_program(graph, std::array{graph.apply(op, arguments)});
+}
+
+std::vector<std::array<float, 4>> glsl_values(const render::Context& context,
+                                              const std::string& program_text,
+                                              std::span<const Arguments> places) {
     shader::Assembly vertex;
     vertex.add_part("output/vertex.glsl");
-    const auto program =
-        render::Program::link(context.gl(), {vertex.text(), operator_program(op), {}, {}});
+    const auto program = render::Program::link(context.gl(), {vertex.text(), program_text, {}, {}});
     auto canvas = render::Canvas::create(context.gl(), side, side, geometry_only);
     report(program);
     report(canvas);
     if (!program || !canvas) return {};
 
-    std::vector<float> results;
+    std::vector<std::array<float, 4>> results;
     std::vector<float> numbers(places_per_draw * graph::max_arity);
     while (!places.empty()) {
         const auto some = places.first(std::min(places.size(), places_per_draw));
@@ -89,7 +98,8 @@ std::vector<float> glsl_values(const render::Context& context, graph::Op op,
         const auto drawn = canvas->read_geometry();
         for (std::size_t i = 0; i < some.size(); ++i) {
             const int k = static_cast<int>(i);
-            results.push_back(drawn.at(k % side, k / side)[0]);
+            const float* const pixel = drawn.at(k % side, k / side);
+            results.push_back({pixel[0], pixel[1], pixel[2], pixel[3]});
         }
     }
     return results;
