@@ -80,6 +80,8 @@ class Sampled {
 public:
     explicit Sampled(const Region& region) : region_(region) {}
 
+    double largest() const { return largest_; }
+
     template <class Value>
     double at_middle(const Cell& cell, double upper, Value value) {
         if (upper <= largest_ || !contains(region_, cell.middle())) return 0;
@@ -100,13 +102,16 @@ double gradient_on(const Dual<Interval>& f) {
     return hypot3(f.gradient[0], f.gradient[1], f.gradient[2]).hi;
 }
 
-double second_derivative_on(const SecondOrder<Interval>& f) {
+/// A rough bound where even that is below `known`, which the supremum is above.
+double second_derivative_on(const SecondOrder<Interval>& f, double known) {
     if (f.value.is_empty()) return 0;
     const bool kinks = std::ranges::any_of(f.gradient, &Interval::jumps);
     if (kinks || has_gap(f.gradient, f.value) || has_gap(f.hessian, f.value)) {
         return numeric::infinity;
     }
-    return spectral_norm_bound(matrix(f.hessian));
+    const Symmetric<Interval> hessian = matrix(f.hessian);
+    const double rough = frobenius_norm_bound(hessian);
+    return rough <= known ? rough : spectral_norm_bound(hessian);
 }
 
 }  // namespace
@@ -139,7 +144,7 @@ double second_derivative_bound(const eval::Tape& f, const Region& region,
     JetEvaluator<2> evaluator(f, parameters);
     Sampled sampled(region);
     return supremum_bound(region, effort, [&](const Cell& cell) {
-        const double upper = second_derivative_on(evaluator.over(cell));
+        const double upper = second_derivative_on(evaluator.over(cell), sampled.largest());
         const double lower = sampled.at_middle(cell, upper, [&](glm::dvec3 point) {
             // The bound of a norm is above it by 2 % at most.
             return 0.98 * spectral_norm_bound(matrix(evaluator.at(point).hessian));

@@ -61,6 +61,12 @@ double spectral_norm_bound(const Symmetric<double>& a) {
     return scale * norm * rounding_allowance;
 }
 
+double frobenius_norm_bound(const Symmetric<Interval>& a) {
+    const Symmetric<double> magnitudes = map(a, [](const Interval& i) { return magnitude(i); });
+    // Squares that vanish are made up for.
+    return std::sqrt(squared_frobenius_norm(magnitudes)) * rounding_allowance + 1e-150;
+}
+
 double spectral_norm_bound(const Symmetric<Interval>& a) {
     const Symmetric<double> magnitudes = map(a, [](const Interval& i) { return magnitude(i); });
     if (!std::isfinite(largest_entry(magnitudes))) return numeric::infinity;

@@ -15,6 +15,10 @@ struct Symmetric {
 /// At least sup |u^T A u| over unit vectors u, at most 2 % more.
 double spectral_norm_bound(const Symmetric<double>& a);
 
+/// At least the Frobenius norm, and so the spectral norm, of every symmetric matrix with entries in
+/// these intervals: faster than the bound below, and up to sqrt(3) times larger.
+double frobenius_norm_bound(const Symmetric<numeric::Interval>& a);
+
 /// At least the spectral norm of every symmetric matrix with entries in these intervals; empty
 /// entries count as 0.
 double spectral_norm_bound(const Symmetric<numeric::Interval>& a);

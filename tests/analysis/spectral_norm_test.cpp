@@ -45,6 +45,7 @@ TEST(SpectralNorm, of_intervals_is_above_every_matrix_in_them) {
                                   pick(a.xy), pick(a.xz), pick(a.yz)};
         // The bound of a single matrix may itself be 2 % too large.
         ASSERT_GE(spectral_norm_bound(a) * 1.02, spectral_norm_bound(m)) << "seed " << seed;
+        ASSERT_GE(frobenius_norm_bound(a) * 1.02, spectral_norm_bound(m)) << "seed " << seed;
     }
 }
 
