@@ -159,6 +159,7 @@ private:
             const auto known = lowering_.facts.constant(graph(), degree);
             if (!known && lowering_.facts.depends_on_point(graph(), degree)) return Form{true, {}};
             if (!known || *known > 1) return Form{true, degree};
+            if (lowering_.facts.depends_on_point(graph(), scale)) return Form{false, {}};
             const auto factor = lowering_.facts.constant(graph(), scale);
             const bool grows = *known == 1 && (!factor || *factor > 1);
             return grows ? std::optional(Form{false, scale}) : std::nullopt;

@@ -206,6 +206,10 @@ TEST(LowerIterate, says_why_there_is_no_distance) {
           "in the body");
     check("iterate q = (x, y, z) for 3: q = 2q; distance = 1; colour = smooth_turns",
           "1:1: 'smooth_turns' cannot be told without 'until length(q) > 4'");
+    check(
+        "iterate q = (x, y, z) for 3 until length(q) > 4: q = if(mod(i, 2) < 1, 2q, 3q); "
+        "colour = smooth_turns",
+        "1:1: 'smooth_turns' cannot be told, since 'q' grows differently from turn to turn");
 }
 
 TEST(LowerIterate, has_a_number_as_distance) {
