@@ -19,14 +19,41 @@ constexpr const char* good[] = {
     "julia(c = (-0.2, 0.6, 0.2, 0.2), iterations = 8)\n | rotate(menger(3), (1, 1, 0), 30)",
     "smooth_union(translate(torus(), (0, 0, t)), scale(mandelbulb(8), 0.5), k = 0.1)",
     "-2^-x^2 + mix(1, 2, x)/3(x+1)(x-1) - max(x, -y, min(1, z), hypot(x, y, z)) >= 1e-3",
+    "ring(R, w = 0.2) = torus(R, w) & (abs(z) <= w/2)\np = (x, 2 y, z)\nring(1) | p.xy.y^2 = p.z",
+    "param c = (-0.2, 0.6, 0.2, 0.2) in [-1, 1]\n"
+    "iterate q = quaternion(x, y, z, 0), s = 9 for 12 until length(q) > 4:\n"
+    "    q = q^2 + c\n    s = min(s, length(q)); colour = s\n",
+    "param s = \"a\" in [\"a\", \"b\"] group \"g\"\nparam on = off \"cut\" tooltip \"t\"\n"
+    "if(s < 1, 1, 2)x = on",
 };
 
-constexpr const char* pieces[] = {
-    "x",          "y",   "z",        "r",    "2",     "1e1",     ".5",   "(",      ")",
-    "[",          "]",   ",",        "+",    "-",     "*",       "/",    "^",      "=",
-    "<=",         ">",   "|",        "&",    "\\",    "\n",      " ",    "#",      "\"",
-    "param ",     "in",  "step",     "a",    "sin(",  "sphere(", "a = ", "union(", "julia(",
-    "translate(", "foo", "\xC2\xB2", "\xFF", "1e999", "!=",      "\t"};
+constexpr const char* pieces[] = {"x",          "y",
+                                  "z",          "r",
+                                  "2",          "1e1",
+                                  ".5",         "(",
+                                  ")",          "[",
+                                  "]",          ",",
+                                  "+",          "-",
+                                  "*",          "/",
+                                  "^",          "=",
+                                  "<=",         ">",
+                                  "|",          "&",
+                                  "\\",         "\n",
+                                  " ",          "#",
+                                  "\"",         "param ",
+                                  "in",         "step",
+                                  "a",          "sin(",
+                                  "sphere(",    "a = ",
+                                  "union(",     "julia(",
+                                  "translate(", "iterate q = (x, y, z)",
+                                  " for 3",     " until q.x > 2",
+                                  ":\n  ",      ";",
+                                  "q = q + 1",  "f(a) = ",
+                                  ".x",         "\"b\"",
+                                  "colour ",    "foo",
+                                  "\xC2\xB2",   "\xFF",
+                                  "1e999",      "!=",
+                                  "\t"};
 
 void check(const std::string& text, unsigned seed) {
     const base::Result<Lowered> result = understand(text);
