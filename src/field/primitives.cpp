@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "field/fractals.h"
 #include "graph/build.h"
 
 namespace field {
@@ -92,7 +91,7 @@ FieldId plane(Field& field, Arguments a) {
 }
 
 // Sorted by name.
-const std::array<Primitive, 10> table{{
+const std::array<Primitive, 7> table{{
     {"box",
      {{"hx", {1}}, {"hy", {1}}, {"hz", {1}}},
      "A box by its half extents; exact distance.",
@@ -109,18 +108,6 @@ const std::array<Primitive, 10> table{{
      {{"r", {0.5}}, {"h", {1}}},
      "A cylinder of radius r about the z axis from z = -h to z = h; exact distance.",
      cylinder},
-    {"julia",
-     {{"c", {-0.2, 0.6, 0.2, 0.2}}, {"iterations", {11}}, {"slice", {0}}},
-     "The quaternion Julia set of q^2 + c, cut where the fourth component is `slice`.",
-     julia},
-    {"mandelbulb",
-     {{"power", {8}}, {"iterations", {10}}},
-     "The Mandelbulb of any power about the z axis.",
-     mandelbulb},
-    {"menger",
-     {{"levels", {4}}},
-     "The Menger sponge of some levels in the cube from -1 to 1; a distance bound.",
-     menger},
     {"plane",
      {{"nx", {0}}, {"ny", {0}}, {"nz", {1}}, {"d", {0}}},
      "The half space below the plane with normal n (of any length) at the signed distance d from "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The built-in solids and fractals: one table with names, arguments, defaults and builders.
+// The built-in solids: one table with names, arguments, defaults and builders.
 #pragma once
 
 #include <span>

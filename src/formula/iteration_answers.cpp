@@ -98,8 +98,10 @@ private:
         const auto [large, small, span] = *turns_.until;
         if (!radius_) return (expr(large) - expr(small)).id;
         const std::vector<NodeId> needed = reachable(graph(), turns_.iteration.step);
-        if (std::ranges::binary_search(needed, *length_))
+        const auto is_needed = [&](NodeId id) { return std::ranges::binary_search(needed, id); };
+        if (is_needed(*length_) && !is_needed(*square_)) {
             return (expr(*length_) - expr(*radius_)).id;
+        }
         const bool squared = small != *radius_;
         return (expr(*square_) - (squared ? expr(small) : expr(small) * expr(small))).id;
     }

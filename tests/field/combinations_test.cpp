@@ -28,13 +28,13 @@ TEST(KindOf, is_a_sheet_where_any_visible_part_is_one) {
     EXPECT_EQ(kind_of(f, f.add(Union{solid, solid})), Kind::solid);
     EXPECT_EQ(kind_of(f, f.add(Intersection{thin, solid})), Kind::sheet);
     EXPECT_EQ(kind_of(f, f.add(Complement{solid})), Kind::solid);
-    EXPECT_EQ(kind_of(f, add_primitive(f, "julia", {0, 0, 0, 0, 5, 0})), Kind::solid);
+    EXPECT_EQ(kind_of(f, shells(f, 2)), Kind::solid);
 }
 
 TEST(Leaves, are_listed_from_left_to_right_and_as_often_as_they_are_used) {
     Field f;
     const FieldId a = sheet(f), b = add_primitive(f, "sphere", {1});
-    const FieldId c = add_primitive(f, "menger", {2});
+    const FieldId c = shells(f, 2);
     const FieldId left = f.add(Intersection{f.add(Complement{c}), a});
     const FieldId root = f.add(Union{left, f.add(SmoothUnion{b, c, f.graph.constant(1)})});
     EXPECT_EQ(leaves(f, root), (std::vector{c, a, b, c}));
@@ -100,8 +100,8 @@ TEST(SmoothUnion, composes_trees_of_solid_formulas) {
 
 TEST(SmoothUnion, of_an_escape_time_set_stays_a_tree) {
     Field f;
-    f.root = smooth_union(f, add_primitive(f, "menger", {2}), add_primitive(f, "sphere", {1.1}),
-                          f.graph.constant(0.2));
+    f.root =
+        smooth_union(f, shells(f, 2), add_primitive(f, "sphere", {1.1}), f.graph.constant(0.2));
     EXPECT_TRUE(std::holds_alternative<SmoothUnion>(f[f.root]));
     expect_lipschitz(f, 33, 2, 500);
 }
@@ -120,8 +120,8 @@ TEST(SmoothUnion, is_the_plain_union_for_a_width_of_0) {
     const graph::NodeId k = f.graph.parameter(f.graph.new_parameter("k"));
     const FieldId a = half_space(f, graph::variable_x, 0);
     const FieldId b = half_space(f, graph::variable_y, 0);
-    const FieldId sponge = add_primitive(f, "menger", {1});
-    for (const FieldId blend : {smooth_union(f, a, b, k), smooth_union(f, sponge, b, k)}) {
+    const FieldId onion = shells(f, 1);
+    for (const FieldId blend : {smooth_union(f, a, b, k), smooth_union(f, onion, b, k)}) {
         for (const double width : {0.0, -1.0}) {
             const std::array parameters{0.0, width};
             EXPECT_EQ(eval::value(f, blend, {2, -3, 5}, parameters), -3);

@@ -36,12 +36,11 @@ FieldId scaled(Field& f, FieldId id, double factor) {
 /// A tree with every kind of node.
 FieldId everything(Field& f) {
     const FieldId box = add_primitive(f, "box", {0.4, 0.9, 0.6});
-    const FieldId sponge = add_primitive(f, "menger", {2});
+    const FieldId onion = shells(f, 2);
     const FieldId sphere = add_primitive(f, "sphere", {0.8});
     const FieldId torus = add_primitive(f, "torus", {1, 0.3});
-    const FieldId hollow = f.add(Intersection{sponge, f.add(Complement{sphere})});
-    const FieldId blend =
-        smooth_union(f, add_primitive(f, "menger", {1}), torus, f.graph.constant(0.3));
+    const FieldId hollow = f.add(Intersection{onion, f.add(Complement{sphere})});
+    const FieldId blend = smooth_union(f, shells(f, 1), torus, f.graph.constant(0.3));
     return f.add(Union{f.add(Union{box, hollow}), blend});
 }
 

@@ -30,7 +30,9 @@ TEST(PrintField, shows_the_tree_with_the_expressions_of_its_leaves) {
 }
 
 TEST(PrintField, names_the_parts_of_an_iteration) {
-    const std::string text = print(primitive("menger", {3}));
+    Field f;
+    f.root = shells(f, 3);
+    const std::string text = print(f);
     for (const char* part : {"iteration\n", "start distance: ", "step distance: ", "start scale: ",
                              "step scale: ", "limit: ", "distance: "}) {
         EXPECT_NE(text.find(part), std::string::npos) << part;

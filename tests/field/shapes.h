@@ -16,6 +16,7 @@
 
 #include "eval/field_value.h"
 #include "field/primitives.h"
+#include "graph/build.h"
 
 namespace field {
 
@@ -29,6 +30,23 @@ inline FieldId add_primitive(Field& field, std::string_view name,
     const Primitive* primitive = find_primitive(name);
     EXPECT_NE(primitive, nullptr) << name;
     return primitive->build(field, nodes);
+}
+
+/// An iteration: the unit sphere's distance, folded into shells so many times; 1-Lipschitz.
+inline FieldId shells(Field& field, int turns) {
+    graph::Graph& g = field.graph;
+    const auto variable = [&](graph::VariableId id) { return graph::Expr(g, g.variable(id)); };
+    const graph::VariableId distance = g.new_variable("distance"), scale = g.new_variable("scale");
+    const graph::Expr d = variable(distance), width = variable(scale);
+    const graph::Expr sphere = hypot(variable(graph::variable_x), variable(graph::variable_y),
+                                     variable(graph::variable_z)) -
+                               1.0;
+    return field.add(Iteration{.state = {distance, scale},
+                               .start = {sphere.id, g.constant(0.4)},
+                               .step = {(abs(d) - width).id, (0.5 * width).id},
+                               .limit = g.constant(turns),
+                               .escape = std::nullopt,
+                               .distance = d.id});
 }
 
 /// One primitive as a whole field.

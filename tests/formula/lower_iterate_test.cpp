@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Iterations: what they compute, and what is wrong with them. Estimates are compared with distances
-// in tests/compile/fractals_test.cpp.
+// in fractals_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -9,7 +9,6 @@
 #include <complex>
 #include <random>
 
-#include "field/fractals.h"
 #include "formula/understood.h"
 #include "graph/substitute.h"
 
@@ -139,48 +138,6 @@ TEST(VectorArithmetic, raises_triplex_numbers_alike_with_and_without_angles) {
             << text << " seed " << seed;
         EXPECT_NEAR(value_of(text + "length(any) - length(p)^n + 0length(whole)"), 0, 1e-9);
     }
-}
-
-/// The next state of a built-in fractal, with its state put back to these nodes.
-std::vector<graph::NodeId> next_state(field::Field& field, field::FieldId id,
-                                      const std::vector<graph::NodeId>& state) {
-    const auto& iteration = std::get<field::Iteration>(field[id]);
-    std::vector<std::pair<graph::VariableId, graph::NodeId>> back;
-    for (std::size_t i = 0; i < state.size(); ++i) back.push_back({iteration.state[i], state[i]});
-    return graph::substitute(field.graph, iteration.step, back);
-}
-
-TEST(VectorArithmetic, of_the_built_in_fractals_gives_the_same_graph) {
-    auto lowered = understand("v = triplex(x, y, z)^8 + (x, y, z)\nv.x + v.y + v.z");
-    ASSERT_TRUE(lowered);
-    field::Field& bulb = lowered->field;
-    graph::Graph& graph = bulb.graph;
-    const std::size_t size = graph.size();
-    const graph::NodeId x = graph.variable(graph::variable_x),
-                        y = graph.variable(graph::variable_y),
-                        z = graph.variable(graph::variable_z);
-    const auto id = field::mandelbulb(bulb, std::array{graph.constant(8), graph.constant(10)});
-    const std::size_t before = graph.size();
-    const auto next = next_state(bulb, id, {x, y, z});
-    const auto at = [&](std::size_t i) { return graph::index(next[i]); };
-    EXPECT_LT(at(0), size);
-    EXPECT_LT(at(1), size);
-    EXPECT_LT(at(2), size);
-    EXPECT_GT(before, size);
-
-    lowered = understand("q = quaternion(x, y, z, 0)^2 + (1, 2, 3, 4)\nq.x + q.y + q.z + q.w");
-    ASSERT_TRUE(lowered);
-    graph::Graph& julia = lowered->field.graph;
-    const std::size_t known = julia.size();
-    const graph::NodeId zero = julia.constant(0);
-    const std::array arguments{julia.constant(1), julia.constant(2),  julia.constant(3),
-                               julia.constant(4), julia.constant(10), zero};
-    const auto set = field::julia(lowered->field, arguments);
-    const auto step =
-        next_state(lowered->field, set,
-                   {julia.variable(graph::variable_x), julia.variable(graph::variable_y),
-                    julia.variable(graph::variable_z), zero});
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_LT(graph::index(step[i]), known) << i;
 }
 
 TEST(VectorArithmetic, of_types_that_do_not_fit_is_an_error) {

@@ -10,6 +10,7 @@
 
 #include "base/temporary_folder.h"
 #include "field/primitives.h"
+#include "formula/prelude.h"
 #include "shader/programs.h"
 
 namespace shader {
@@ -97,8 +98,11 @@ TEST(ProgramSyntax, is_valid_for_all_features) {
     }
 }
 
-TEST(ProgramSyntax, is_valid_for_every_primitive) {
+TEST(ProgramSyntax, is_valid_for_every_built_in_field) {
     Programs programs;
+    for (const std::string_view name : formula::prelude_names()) {
+        programs.add(field_of(std::string(name) + "()"), {});
+    }
     for (const field::Primitive& primitive : field::primitives()) {
         std::string arguments;
         for (const field::Argument& argument : primitive.arguments) {
