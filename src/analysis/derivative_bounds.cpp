@@ -99,7 +99,8 @@ private:
 double gradient_on(const Dual<Interval>& f) {
     if (f.value.is_empty()) return 0;
     if (has_gap(f.gradient, f.value)) return numeric::infinity;
-    return hypot3(f.gradient[0], f.gradient[1], f.gradient[2]).hi;
+    const auto [dx, dy, dz] = f.gradient;
+    return sqrt(square(dx) + square(dy) + square(dz)).hi;
 }
 
 /// A rough bound where even that is below `known`, which the supremum is above.

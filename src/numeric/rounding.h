@@ -23,8 +23,8 @@ inline double next_down(double x) { return -next_up(-x); }
 
 /// The same for finite numbers other than 0, without a branch.
 inline double next_down_from_nonzero(double x) {
-    const auto bits = std::bit_cast<std::int64_t>(x);
-    return std::bit_cast<double>(bits - 1 - 2 * (bits >> 63));  // a negative number grows in size
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    return std::bit_cast<double>(bits - 1 + 2 * (bits >> 63));  // a negative number grows in size
 }
 inline double next_up_from_nonzero(double x) { return -next_down_from_nonzero(-x); }
 
