@@ -7,16 +7,16 @@
 
 namespace formula {
 
-inline constexpr std::size_t max_text_bytes = 65536;  ///< of the whole formula
-inline constexpr std::size_t max_brackets = 200;      ///< brackets that are open at one place
-inline constexpr std::size_t max_height = 1000;       ///< levels of the syntax tree
-inline constexpr std::size_t max_nodes = 20000;       ///< of the graph
-inline constexpr std::size_t max_objects = 10000;     ///< leaves of the field, repeated ones too
-inline constexpr std::size_t max_turns = 10000;       ///< of an iteration
-inline constexpr std::size_t max_errors = 20;         ///< reported for one text
-inline constexpr std::size_t max_expansions =
-    200000;                                     ///< expressions, those of functions at each call
-inline constexpr std::size_t max_depth = 2000;  ///< levels of expressions, through calls
-inline constexpr int max_squared_power = 32;    ///< whole powers of vectors without angles
+inline constexpr std::size_t max_text_bytes = 65536;   ///< of the whole formula
+inline constexpr std::size_t max_brackets = 200;       ///< brackets that are open at one place
+inline constexpr std::size_t max_height = 1000;        ///< levels of the syntax tree
+inline constexpr std::size_t max_nodes = 20000;        ///< of the graph
+inline constexpr std::size_t max_objects = 10000;      ///< leaves of the field, repeated ones too
+inline constexpr std::size_t max_turns = 10000;        ///< of an iteration
+inline constexpr std::size_t max_errors = 20;          ///< reported for one text
+inline constexpr std::size_t max_expansions = 200000;  ///< expressions, at each call the body's
+inline constexpr std::size_t max_depth = 1500;         ///< levels of expressions, through calls
+inline constexpr std::size_t max_calls = 100;          ///< of functions, one inside of the other
+inline constexpr int max_squared_power = 32;           ///< whole powers of vectors without angles
 
 }  // namespace formula

@@ -95,8 +95,11 @@ void check_expansion(Lowering& lowering, base::SourceSpan span) {
              "the formula has more than 200,000 expressions where its functions are put in; call "
              "them less often");
     } else if (lowering.depth >= max_depth) {
-        static_assert(max_depth == 2000);
-        stop(lowering, span, "the calls of functions nest more than 2000 levels deep");
+        static_assert(max_depth == 1500);
+        stop(lowering, span, "the bodies of functions nest more than 1500 levels deep");
+    } else if (lowering.frame && lowering.frame->level > max_calls) {
+        static_assert(max_calls == 100);
+        stop(lowering, span, "the calls of functions nest more than 100 levels deep");
     }
 }
 

@@ -31,6 +31,7 @@ struct Frame {
     std::string_view function;
     const Source* caller = nullptr;
     base::SourceSpan call;  ///< in the caller's text
+    std::size_t level = 1;  ///< of calls that are open, with this one
 };
 
 struct Lowering {

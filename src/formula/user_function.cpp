@@ -128,7 +128,8 @@ Value call_user_function(Lowering& lowering, const FunctionValue& function, base
         return Nothing{};
     }
     Scope outside = scope_of(function), body = scope_of(function);
-    const Frame frame{lowering.frame, function.name, lowering.source, span};
+    const std::size_t level = lowering.frame ? lowering.frame->level + 1 : 1;
+    const Frame frame{lowering.frame, function.name, lowering.source, span, level};
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         Value value = i < arguments.size() ? arguments[i] : Value(Nothing{});
         if (is_nothing(value) && !parameters[i].initial) {
