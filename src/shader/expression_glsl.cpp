@@ -58,15 +58,39 @@ std::string ExpressionWriter::call(const graph::Node& node) {
     return fmt::format("{}({})", facts.glsl, fmt::join(arguments, ", "));
 }
 
+std::vector<NodeId> ExpressionWriter::open(std::span<const NodeId> roots) const {
+    std::vector<NodeId> list = reachable(graph_, roots);
+    std::erase_if(list, [&](NodeId id) {
+        return graph_[id].args().empty() || !depends_[index(id)] || written_.contains(id);
+    });
+    return list;
+}
+
 std::string ExpressionWriter::statements(std::span<const NodeId> roots, std::string_view indent) {
-    std::string text;
-    for (NodeId id : reachable(graph_, roots)) {
+    const std::vector<NodeId> list = open(roots);
+    std::map<NodeId, WavePair> waves;  // by argument
+    for (NodeId id : list) {
         const graph::Node& node = graph_[id];
-        if (node.args().empty() || !depends_[index(id)] || written_.contains(id)) continue;
+        if (node.op == Op::sin) waves[node.arguments[0]].sine = id;
+        if (node.op == Op::cos) waves[node.arguments[0]].cosine = id;
+    }
+    std::string text;
+    for (NodeId id : list) {
+        if (written_.contains(id)) continue;  // with its partner
+        const graph::Node& node = graph_[id];
         const std::string right = call(node);
         const std::string name = fmt::format("n{}", count_++);
-        text += fmt::format("{}real {} = {};\n", indent, name, right);
-        written_[id] = name;
+        const bool is_wave = node.op == Op::sin || node.op == Op::cos;
+        const WavePair pair = is_wave ? waves.at(node.arguments[0]) : WavePair{};
+        if (pair.sine && pair.cosine) {
+            text += fmt::format("{}real2 {} = zs_sincos({});\n", indent, name,
+                                spelling(node.arguments[0]));
+            written_[*pair.sine] = name + ".x";
+            written_[*pair.cosine] = name + ".y";
+        } else {
+            text += fmt::format("{}real {} = {};\n", indent, name, right);
+            written_[id] = name;
+        }
     }
     return text;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// GLSL for expressions: one statement a node.
+// GLSL for expressions: one statement a node, but one for sine and cosine of the same argument.
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -58,6 +59,13 @@ public:
     const std::set<std::string>& operator_parts() const { return operator_parts_; }
 
 private:
+    /// The sine and the cosine of one argument, as far as both are to be written.
+    struct WavePair {
+        std::optional<graph::NodeId> sine, cosine;
+    };
+
+    /// Those nodes that the roots need and that have no statement yet.
+    std::vector<graph::NodeId> open(std::span<const graph::NodeId> roots) const;
     std::string call(const graph::Node& node);
 
     const graph::Graph& graph_;

@@ -16,11 +16,11 @@ TEST(Assembly, puts_a_part_after_what_it_includes_and_each_once) {
     assembly.add_part("operator/sin.glsl");
     assembly.add_part("operator/tan.glsl");
     const std::string& text = assembly.text();
-    const std::size_t turn = text.find("real zs_turn("), tangent = text.find("real zs_tan(");
+    const std::size_t turn = text.find("real2 zs_sincos("), tangent = text.find("real zs_tan(");
     ASSERT_NE(turn, std::string::npos);
     ASSERT_NE(tangent, std::string::npos);
     EXPECT_LT(turn, tangent);
-    EXPECT_EQ(text.find("real zs_turn(", turn + 1), std::string::npos);
+    EXPECT_EQ(text.find("real2 zs_sincos(", turn + 1), std::string::npos);
     EXPECT_EQ(text.find("real zs_tan(", tangent + 1), std::string::npos);
 }
 

@@ -4,11 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
+#include <regex>
 
+#include "eval/random_expression.h"
 #include "graph/build.h"
 
 namespace shader {
@@ -97,6 +101,51 @@ TEST(ExpressionWriter, spells_prefix_signs_and_functions) {
               "  real n0 = zs_hypot(p.x, p.y);\n"
               "  real n1 = -n0;\n"
               "= n1");
+}
+
+TEST(ExpressionWriter, asks_once_for_sine_and_cosine_of_one_argument) {
+    Function f;
+    const Expr sum = f.x + f.y;
+    EXPECT_EQ(f.write(cos(sum) * sin(sum) - sin(f.x)),
+              "  real n0 = p.x + p.y;\n"
+              "  real2 n1 = zs_sincos(n0);\n"
+              "  real n2 = n1.y * n1.x;\n"
+              "  real n3 = zs_sin(p.x);\n"
+              "  real n4 = n2 - n3;\n"
+              "= n4");
+}
+
+/// The names that are declared, and how often each occurs after its own declaration.
+std::map<std::string, int> uses(const std::string& text) {
+    std::map<std::string, int> count;
+    const std::regex name("n[0-9]+");
+    for (auto i = std::sregex_iterator(text.begin(), text.end(), name); i != std::sregex_iterator();
+         ++i) {
+        const auto [place, fresh] = count.try_emplace(i->str(), 0);
+        if (!fresh) ++place->second;
+    }
+    return count;
+}
+
+TEST(ExpressionWriter, writes_nothing_dead) {
+    constexpr unsigned seed = 314;
+    eval::Random random(seed);
+    for (int trial = 0; trial < 300; ++trial) {
+        const auto [graph, root] = eval::random_expression(random, 40);
+        const std::vector<bool> depends = depends_on_variables(graph);
+        FieldValues values;
+        ExpressionWriter writer(
+            graph, depends, values,
+            {{graph::variable_x, "p.x"}, {graph::variable_y, "p.y"}, {graph::variable_z, "p.z"}});
+        const std::string statements = writer.statements(std::array{root}, "");
+        for (const auto& [name, count] : uses(statements + writer.spelling(root))) {
+            ASSERT_GT(count, 0) << name << " is never used, seed " << seed << ":\n" << statements;
+        }
+        const auto needed = reachable(graph, std::array{root});
+        for (const graph::NodeId id : values.expressions()) {
+            ASSERT_TRUE(std::ranges::binary_search(needed, id)) << "seed " << seed;
+        }
+    }
 }
 
 TEST(ExpressionWriter, needs_no_statement_for_leaves) {
