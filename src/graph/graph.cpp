@@ -16,32 +16,50 @@ std::size_t mix(std::size_t seed, std::uint64_t value) {
     return static_cast<std::size_t>(z ^ (z >> 31));
 }
 
-}  // namespace
-
-std::size_t Graph::Hash::operator()(const Node& node) const {
-    std::size_t seed = mix(0, static_cast<std::uint64_t>(node.op));
-    seed = mix(seed, std::bit_cast<std::uint64_t>(node.value));
-    seed = mix(seed, node.symbol);
-    for (NodeId argument : node.args()) seed = mix(seed, index(argument));
-    return seed;
+std::size_t hash(const Node& node) {
+    // Unused arguments are always 0.
+    const auto pair = [&](std::size_t i) {
+        return std::uint64_t{index(node.arguments[i])} << 32 | index(node.arguments[i + 1]);
+    };
+    const auto kind = static_cast<std::uint64_t>(node.op) << 32 | node.symbol;
+    const std::size_t seed = mix(mix(0, kind), std::bit_cast<std::uint64_t>(node.value) ^ pair(0));
+    return arity(node.op) > 2 ? mix(seed, pair(2)) : seed;
 }
 
-bool Graph::Equal::operator()(const Node& a, const Node& b) const {
+bool same(const Node& a, const Node& b) {
     // By bits, so that 0 and -0 stay apart and NaN equals itself.
-    return a.op == b.op && a.symbol == b.symbol &&
-           std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value) &&
-           std::ranges::equal(a.args(), b.args());
+    return a.op == b.op && a.symbol == b.symbol && a.arguments == b.arguments &&
+           std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value);
 }
+
+}  // namespace
 
 Graph::Graph() {
     for (const char* name : {"x", "y", "z"}) new_variable(name);
     new_parameter("t");
 }
 
+void Graph::grow_places() {
+    places_.assign(std::max<std::size_t>(64, 2 * places_.size()), 0);
+    const std::size_t mask = places_.size() - 1;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        std::size_t place = hash(nodes_[i]) & mask;
+        while (places_[place] != 0) place = (place + 1) & mask;
+        places_[place] = static_cast<std::uint32_t>(i + 1);
+    }
+}
+
 NodeId Graph::intern(const Node& node) {
-    const auto [place, fresh] = ids_.try_emplace(node, static_cast<NodeId>(nodes_.size()));
-    if (fresh) nodes_.push_back(node);
-    return place->second;
+    if (2 * (nodes_.size() + 1) > places_.size()) grow_places();
+    const std::size_t mask = places_.size() - 1;
+    std::size_t place = hash(node) & mask;
+    for (; places_[place] != 0; place = (place + 1) & mask) {
+        const std::uint32_t known = places_[place] - 1;
+        if (same(nodes_[known], node)) return static_cast<NodeId>(known);
+    }
+    nodes_.push_back(node);
+    places_[place] = static_cast<std::uint32_t>(nodes_.size());
+    return static_cast<NodeId>(nodes_.size() - 1);
 }
 
 NodeId Graph::constant(double value) { return intern({.op = Op::constant, .value = value}); }
@@ -57,7 +75,7 @@ NodeId Graph::parameter(ParameterId id) {
 }
 
 NodeId Graph::apply(Op op, std::span<const NodeId> arguments) {
-    assert(static_cast<int>(arguments.size()) == facts(op).arity && !arguments.empty());
+    assert(arguments.size() == arity(op) && !arguments.empty());
     Node node{.op = op};
     std::ranges::copy(arguments, node.arguments.begin());
     return intern(node);

@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "graph/operator.h"
@@ -36,9 +35,7 @@ struct Node {
     double value = 0;                           ///< of a constant
     std::uint32_t symbol = 0;                   ///< VariableId or ParameterId of such a leaf
 
-    std::span<const NodeId> args() const {
-        return {arguments.data(), static_cast<std::size_t>(facts(op).arity)};
-    }
+    std::span<const NodeId> args() const { return {arguments.data(), arity(op)}; }
 };
 
 /// The arena of nodes. It only grows: a node never changes once made, so NodeIds stay good.
@@ -74,16 +71,12 @@ public:
 
 private:
     NodeId intern(const Node& node);
-
-    struct Hash {
-        std::size_t operator()(const Node& node) const;
-    };
-    struct Equal {
-        bool operator()(const Node& a, const Node& b) const;
-    };
+    void grow_places();
 
     std::vector<Node> nodes_;
-    std::unordered_map<Node, NodeId, Hash, Equal> ids_;
+    /// Where equal nodes are found: a hash table of numbers of nodes plus 1, or 0 for a free place;
+    /// open addressing, half empty at least, its size a power of two.
+    std::vector<std::uint32_t> places_;
     std::vector<std::string> variable_names_;
     std::vector<std::string> parameter_names_;
 };

@@ -2,6 +2,8 @@
 // The scalar operators of the graph, from the table in operators.def.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -18,6 +20,21 @@ enum class Op : std::uint8_t {
 
 inline constexpr int max_arity = 4;
 
+inline constexpr int operator_count = 3
+#define OPERATOR(name, arity, glsl, file) +1
+#include "graph/operators.def"
+    ;
+
+/// By operator; 0 for the leaves.
+inline constexpr std::array<std::uint8_t, operator_count> arities = {
+    0,
+    0,
+    0,
+#define OPERATOR(name, arity, glsl, file) arity,
+#include "graph/operators.def"
+};
+constexpr std::size_t arity(Op op) { return arities[static_cast<std::size_t>(op)]; }
+
 /// A row of the table. For the leaves the arity is 0 and the spellings are empty.
 struct OperatorFacts {
     std::string_view name;
@@ -26,11 +43,6 @@ struct OperatorFacts {
     std::string_view glsl_file;
 };
 const OperatorFacts& facts(Op op);
-
-inline constexpr int operator_count = 3
-#define OPERATOR(name, arity, glsl, file) +1
-#include "graph/operators.def"
-    ;
 
 /// All operators with arguments, in the order of the table.
 template <class Visit>
