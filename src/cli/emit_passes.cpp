@@ -43,13 +43,15 @@ base::Result<std::string> emit_passes(std::string_view formula) {
     field::Field& field = lowered->field;
     std::string now = field::print(field);
     std::string text = fmt::format("lowered, {}\n{}", in_words(count(field)), now);
-    passes::run(field, [&](const passes::Pass& pass, const field::Field& after) {
-        std::string next = field::print(after);
-        text += next == now
-                    ? fmt::format("after '{}' the same\n", pass.name)
-                    : fmt::format("\nafter '{}', {}\n{}", pass.name, in_words(count(after)), next);
-        now = std::move(next);
-    });
+    for (const passes::Stage stage : {passes::Stage::meaning, passes::Stage::evaluation}) {
+        passes::run(field, stage, [&](const passes::Pass& pass, const field::Field& after) {
+            std::string next = field::print(after);
+            text += next == now ? fmt::format("after '{}' the same\n", pass.name)
+                                : fmt::format("\nafter '{}', {}\n{}", pass.name,
+                                              in_words(count(after)), next);
+            now = std::move(next);
+        });
+    }
     const passes::OperationCount last = count(field);
     text += fmt::format("\nat each point {}\nonce a frame {}\n", in_words(last),
                         operations(last.hoisted));

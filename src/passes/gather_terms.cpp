@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "passes/rate.h"
+#include "passes/signed_term.h"
 #include "passes/tree.h"
 
 namespace passes {
@@ -15,18 +16,6 @@ using graph::Graph;
 using graph::Node;
 using graph::NodeId;
 using graph::Op;
-
-/// A term with its sign in front.
-struct Term {
-    NodeId id{};
-    bool negative = false;
-};
-
-Term sum(Graph& graph, const Term& a, const Term& b) {
-    if (a.negative == b.negative) return {graph.apply(Op::add, a.id, b.id), a.negative};
-    if (a.negative) return {graph.apply(Op::sub, b.id, a.id), false};
-    return {graph.apply(Op::sub, a.id, b.id), false};
-}
 
 class Regrouping {
 public:
@@ -52,10 +41,10 @@ private:
         return graph_.apply(node.op, node.args());
     }
 
-    std::vector<Term> terms_of(NodeId root) const {
-        std::vector<Term> terms, open{{root, false}};
+    std::vector<SignedTerm> terms_of(NodeId root) const {
+        std::vector<SignedTerm> terms, open{{root, false}};
         while (!open.empty()) {
-            const Term term = open.back();
+            const SignedTerm term = open.back();
             open.pop_back();
             if (term.id != root && !inner_[index(term.id)]) {
                 terms.push_back({made_[index(term.id)], term.negative});
@@ -72,22 +61,24 @@ private:
     std::optional<NodeId> regrouped(NodeId id) {
         const Rate whole = rates_[id];
         if (whole < Rate::point) return std::nullopt;
-        std::vector<Term> terms = terms_of(id);
-        const auto rate = [&](const Term& term) { return std::max(rates_[term.id], Rate::frame); };
+        std::vector<SignedTerm> terms = terms_of(id);
+        const auto rate = [&](const SignedTerm& term) {
+            return std::max(rates_[term.id], Rate::frame);
+        };
         const auto slow = [&](Rate r) { return std::ranges::count(terms, r, rate); };
         const bool pays = slow(Rate::frame) > 1 || (whole == Rate::turn && slow(Rate::point) > 1);
         if (!pays) return std::nullopt;
         std::ranges::stable_sort(terms, {}, rate);
-        std::optional<Term> result;
+        std::optional<SignedTerm> result;
         for (std::size_t i = 0; i < terms.size();) {
-            Term group = terms[i];
+            SignedTerm group = terms[i];
             const Rate group_rate = rate(group);
             for (++i; i < terms.size() && rate(terms[i]) == group_rate; ++i) {
                 group = sum(graph_, group, terms[i]);
             }
             result = result ? sum(graph_, group, *result) : group;
         }
-        return result->negative ? graph_.apply(Op::neg, result->id) : result->id;
+        return value_of(graph_, *result);
     }
 
     Graph& graph_;

@@ -6,6 +6,7 @@
 #include "passes/fold_constants.h"
 #include "passes/gather_factors.h"
 #include "passes/gather_terms.h"
+#include "passes/horner.h"
 #include "passes/operation_count.h"
 #include "passes/order_operands.h"
 #include "passes/recognise_hypot.h"
@@ -28,6 +29,9 @@ constexpr Pass order[] = {
     {"recognise lengths", everywhere<recognise_hypot>},
     {"order operands", everywhere<order_operands>},
     {"fold constants again", everywhere<fold_constants>},
+    {"Horner's form", horner, Stage::evaluation},
+    {"share powers again", expand_powers, Stage::evaluation},
+    {"order operands again", everywhere<order_operands>, Stage::evaluation},
 };
 
 /// Expressions on their way through the passes.
@@ -60,21 +64,24 @@ private:
 
 std::span<const Pass> pipeline() { return order; }
 
-void run(field::Field& field, const Observer& observer) {
+void run(field::Field& field, Stage stage, const Observer& observer) {
     const std::vector<NodeId*> places = all_expressions(field);
     std::vector<NodeId> roots;
     for (const NodeId* place : places) roots.push_back(*place);
     Expressions expressions(field.graph, roots);
     for (const Pass& pass : order) {
+        if (pass.stage != stage) continue;
         expressions.pass(pass);
         for (std::size_t i = 0; i < places.size(); ++i) *places[i] = expressions.roots()[i];
         if (observer) observer(pass, field);
     }
 }
 
-std::vector<NodeId> run(Graph& graph, std::span<const NodeId> roots) {
+std::vector<NodeId> run(Graph& graph, std::span<const NodeId> roots, Stage stage) {
     Expressions expressions(graph, roots);
-    for (const Pass& pass : order) expressions.pass(pass);
+    for (const Pass& pass : order) {
+        if (pass.stage == stage) expressions.pass(pass);
+    }
     return expressions.roots();
 }
 

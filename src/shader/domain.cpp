@@ -25,9 +25,9 @@ bool is_reciprocal(const graph::Graph& graph, graph::NodeId id) {
 
 }  // namespace
 
-bool may_be_undefined(const graph::Graph& graph, graph::NodeId root) {
+bool may_be_undefined(const graph::Graph& graph, std::span<const graph::NodeId> roots) {
     const std::vector<bool> depends = depends_on_variables(graph);
-    return std::ranges::any_of(reachable(graph, std::array{root}), [&](graph::NodeId id) {
+    return std::ranges::any_of(reachable(graph, roots), [&](graph::NodeId id) {
         // A parameter's expression may be undefined as well, but then it is so everywhere.
         const graph::Node& node = graph[id];
         if (!depends[index(id)]) return false;

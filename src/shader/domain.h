@@ -2,13 +2,15 @@
 // Where an expression may be undefined.
 #pragma once
 
+#include <span>
+
 #include "graph/graph.h"
 
 namespace shader {
 
-/// True if the expression holds an operator on the point that is not defined everywhere (division,
-/// root, logarithm, power, inverse sine or cosine, tangent): by structure, so a false alarm is
-/// possible and a miss is not, but for overflow.
-bool may_be_undefined(const graph::Graph& graph, graph::NodeId root);
+/// True if one of the expressions holds an operator on the point that is not defined everywhere
+/// (division, root, logarithm, power, inverse sine or cosine, tangent): by structure, so a false
+/// alarm is possible and a miss is not, but for overflow.
+bool may_be_undefined(const graph::Graph& graph, std::span<const graph::NodeId> roots);
 
 }  // namespace shader

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "passes/differentiate.h"
+#include "passes/pipeline.h"
 #include "shader/domain.h"
 #include "shader/expression_glsl.h"
 #include "shader/iteration_glsl.h"
@@ -40,11 +41,12 @@ public:
         for (Leaf& leaf : leaves_) {
             if (std::holds_alternative<field::Formula>(field_[leaf.id])) leaf.gradient = *next++;
         }
+        write_domain();
+        make_cheap();
         depends_ = depends_on_variables(field_.graph);
     }
 
     FieldGlsl write() {
-        write_domain();
         for (std::size_t i = 0; i < leaves_.size(); ++i) write_leaf(i);
         write_sides();
         write_tree();
@@ -56,6 +58,20 @@ public:
     }
 
 private:
+    /// The last passes see values and gradients together, which share much.
+    void make_cheap() {
+        std::vector<NodeId*> places = passes::all_expressions(field_);
+        for (Leaf& leaf : leaves_) {
+            if (!std::holds_alternative<field::Formula>(field_[leaf.id])) continue;
+            for (NodeId& slope : leaf.gradient) places.push_back(&slope);
+        }
+        std::vector<NodeId> roots;
+        for (const NodeId* place : places) roots.push_back(*place);
+        const std::vector<NodeId> cheap =
+            passes::run(field_.graph, roots, passes::Stage::evaluation);
+        for (std::size_t i = 0; i < places.size(); ++i) *places[i] = cheap[i];
+    }
+
     const field::Formula* formula(std::size_t i) const {
         return std::get_if<field::Formula>(&field_[leaves_[i].id]);
     }
@@ -72,10 +88,11 @@ private:
     }
 
     void write_domain() {
-        bool edges = false;
+        std::vector<NodeId> values;
         for (std::size_t i = 0; i < leaves_.size(); ++i) {
-            edges = edges || (formula(i) && may_be_undefined(field_.graph, formula(i)->value));
+            if (formula(i)) values.push_back(formula(i)->value);
         }
+        const bool edges = may_be_undefined(field_.graph, values);
         out_.code += fmt::format("const bool zs_has_edges = {};\n", edges);
     }
 

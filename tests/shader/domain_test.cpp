@@ -11,7 +11,7 @@ namespace {
 
 bool may_be_undefined(std::string_view text) {
     const field::Field f = field_of(text);
-    return shader::may_be_undefined(f.graph, std::get<field::Formula>(f[f.root]).value);
+    return shader::may_be_undefined(f.graph, std::array{std::get<field::Formula>(f[f.root]).value});
 }
 
 TEST(MayBeUndefined, is_false_where_every_operator_has_a_value_everywhere) {
