@@ -92,11 +92,11 @@ inline std::vector<glm::dvec3> surface_points(const IsInside& is_inside, double 
 /// the distance from the set; in increasing order. From far away and closer and closer to the
 /// surface of a set in the cube from -size to size.
 inline std::vector<double> factors(const Fractal& fractal, const IsInside& is_inside, unsigned seed,
-                                   double size = 1.3) {
+                                   double size = 1.3, std::size_t points = 4000) {
     Random random(seed);
-    const std::vector<glm::dvec3> surface = surface_points(is_inside, size, 4000, random);
+    const std::vector<glm::dvec3> surface = surface_points(is_inside, size, points, random);
     std::vector<double> list;
-    while (list.size() < 2000) {
+    while (list.size() < points / 2) {
         const double away = std::exp2(-static_cast<double>(random() % 16));
         const glm::dvec3 p =
             surface[random() % surface.size()] + away * random_point(random, size / 1.3);

@@ -178,5 +178,103 @@ TEST(Mandelbulb, estimates_no_more_than_the_distance_almost_everywhere) {
     }
 }
 
+/// In its own words: reflect each coordinate into the box, invert near the middle, enlarge, add.
+bool is_in_mandelbox(dvec3 point, double scale, int iterations) {
+    dvec3 p = point;
+    for (int i = 0; i <= iterations; ++i) {
+        if (glm::length(p) > 64) return false;
+        for (int k = 0; k < 3; ++k) {
+            if (p[k] > 1) {
+                p[k] = 2 - p[k];
+            } else if (p[k] < -1) {
+                p[k] = -2 - p[k];
+            }
+        }
+        const double square = glm::dot(p, p);
+        const double factor = square < 0.25 ? 4 : square < 1 ? 1 / square : 1;
+        p = scale * factor * p + point;
+    }
+    return true;
+}
+
+Fractal mandelbox(double scale, int iterations) {
+    return Fractal(fmt::format("mandelbox({}, {})", scale, iterations));
+}
+
+TEST(Mandelbox, has_the_members_of_the_plain_iteration) {
+    for (const double scale : {2.0, 3.0, -1.5}) {
+        expect_members(mandelbox(scale, 4), 47, scale < 0 ? 2.5 : 5,
+                       [&](dvec3 p) { return is_in_mandelbox(p, scale, 4); });
+    }
+}
+
+/// Heuristic: the radius of what is drawn at each depth is that of a ball about the orbit.
+TEST(Mandelbox, estimates_no_more_than_the_distance_almost_everywhere) {
+    for (const double scale : {2.0, 3.0, -1.5}) {
+        const auto list = factors(
+            mandelbox(scale, 12), [&](dvec3 p) { return is_in_mandelbox(p, scale, 12); }, 48,
+            scale < 0 ? 2.5 : 5, 1000);
+        EXPECT_GT(list.front(), 0) << scale;
+        EXPECT_LT(part_of(list, 0.99), scale < 0 ? 1 : 0.85) << scale;
+        EXPECT_LT(list.back(), scale < 0 ? 1.1 : 0.95) << scale;
+        EXPECT_GT(list.back(), 0.5) << scale << ": far too careful";
+    }
+}
+
+/// By the definition: in a tetrahedron, and in one of four of half the size in its corners.
+bool is_in_sierpinski(dvec3 p, int levels) {
+    const double x = p.x, y = p.y, z = p.z;
+    if (std::max({x + y - z, x - y + z, y + z - x, -x - y - z}) > 1) return false;
+    if (levels == 0) return true;
+    for (const dvec3 corner : {dvec3(1, 1, 1), {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}) {
+        if (is_in_sierpinski(2.0 * p - corner, levels - 1)) return true;
+    }
+    return false;
+}
+
+TEST(Sierpinski, agrees_with_the_recursive_definition) {
+    for (const int levels : {0, 1, 2, 4}) {
+        expect_members(Fractal(fmt::format("sierpinski({})", levels)), 49, 1.05,
+                       [&](dvec3 p) { return is_in_sierpinski(p, levels); });
+    }
+}
+
+TEST(Sierpinski, is_one_lipschitz) {
+    for (const int levels : {0, 1, 5}) {
+        expect_lipschitz(Fractal(fmt::format("sierpinski({})", levels)), 50, 2, 1500);
+    }
+}
+
+TEST(Sierpinski, estimates_no_more_than_the_distance) {
+    const auto list = factors(
+        Fractal("sierpinski(3)"), [](dvec3 p) { return is_in_sierpinski(p, 3); }, 51, 1.05);
+    EXPECT_GT(list.front(), 0);
+    EXPECT_LE(list.back(), 1);
+}
+
+/// The factors of a field whose own sign says what is inside.
+std::vector<double> own_factors(const char* text, double size) {
+    const Fractal fractal(text);
+    return factors(
+        fractal, [&](dvec3 p) { return fractal.value(p) == -INFINITY; }, 52, size, 100);
+}
+
+/// Mirrors and turns keep distances, and what is left lies in a ball.
+TEST(Kaleidoscope, estimates_no_more_than_the_distance) {
+    const auto list = own_factors("kaleidoscope(25, 12, iterations = 8)", 1.2);
+    EXPECT_LE(list.back(), 1);
+    EXPECT_GT(list.back(), 0.3) << "far too careful";
+}
+
+/// Heuristic: derived from linear steps, and by dual numbers.
+TEST(Hybrids, estimate_hardly_more_than_the_distance) {
+    for (const char* text : {"folded_sponge(iterations = 6)", "alternating_bulb(iterations = 5)"}) {
+        const auto list = own_factors(text, 1.3);
+        EXPECT_GT(list.front(), 0) << text;
+        EXPECT_LT(list.back(), 1.05) << text;
+        EXPECT_GT(list.back(), 0.2) << text << ": far too careful";
+    }
+}
+
 }  // namespace
 }  // namespace formula
