@@ -80,10 +80,14 @@ std::optional<double> outermost(ContentFinder& content, const Region& region, co
     return std::nullopt;
 }
 
+std::array<Interval, 3> all_of_space() {
+    return {Interval::whole(), Interval::whole(), Interval::whole()};
+}
+
 /// True if the six parts of space beyond the walls of the box are proven to hold nothing.
 bool nothing_beyond(ContentFinder& content, const Cell& box) {
     for (const Wall& wall : walls) {
-        std::array<Interval, 3> beyond{Interval::whole(), Interval::whole(), Interval::whole()};
+        std::array<Interval, 3> beyond = all_of_space();
         Interval& side = beyond[static_cast<std::size_t>(wall.axis)];
         side =
             wall.low ? Interval{-infinity, wall.place(box)} : Interval{wall.place(box), infinity};
@@ -130,8 +134,11 @@ bool proven_full(ContentFinder& content, const Region& region, const Effort& eff
 }
 
 bool proven_empty_everywhere(ContentFinder& content) {
-    const Interval whole = Interval::whole();
-    return content.over(std::array{whole, whole, whole}).proven_empty();
+    return content.over(all_of_space()).proven_empty();
+}
+
+bool proven_full_everywhere(ContentFinder& content) {
+    return content.over(all_of_space()).proven_full();
 }
 
 std::optional<Cell> bounding_box(ContentFinder& content, const Region& region,

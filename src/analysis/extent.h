@@ -18,6 +18,9 @@ bool proven_full(ContentFinder& content, const Region& region, const Effort& eff
 /// True: a proof that nothing is anywhere in space.
 bool proven_empty_everywhere(ContentFinder& content);
 
+/// True: a proof that every point of space is in a solid.
+bool proven_full_everywhere(ContentFinder& content);
+
 /// A box that holds all of the sheets and solids inside the region; none: there is nothing, proven.
 /// Its walls are looked for one by one, each with this effort: up to `effort.tolerance` of the
 /// region's size too far outside where that is enough, further where it is not.

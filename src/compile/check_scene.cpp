@@ -2,6 +2,7 @@
 #include "compile/check_scene.h"
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -52,7 +53,7 @@ public:
             return warn(fmt::format("no point of space is {}; change the formula{}",
                                     sheet ? "on the surface" : "in the solid", or_parameters()));
         }
-        if (bounds_.shape == scene::Bounds::Shape::none) return {};
+        if (bounds_.shape == scene::Bounds::Shape::none) return decided_comparisons();
         const analysis::Effort effort = effort_for(content_);
         if (proven_empty(content_, region_, effort)) {
             return warn(fmt::format("no part of the {} is in the bounds, {}; change the bounds{}",
@@ -65,10 +66,32 @@ public:
                             "something out of it",
                             describe(bounds_)));
         }
-        return {};
+        return decided_comparisons();
     }
 
 private:
+    /// Comparisons that are true everywhere in space or nowhere, whatever the parameters are.
+    base::Diagnostics decided_comparisons() const {
+        const field::Field& field = formula_.field;
+        base::Diagnostics found;
+        std::set<field::FieldId> seen;
+        std::size_t operations = 0;
+        for (const field::FieldId id : leaves(field, field.root)) {
+            const auto* leaf = std::get_if<field::Formula>(&field[id]);
+            if (!leaf || !leaf->span || !seen.insert(id).second) continue;
+            if (analysis::dependence(field, id).on_parameters()) continue;
+            analysis::ContentFinder content(field, id, values_);
+            operations += content.operations();
+            if (operations > operations_a_proof) break;
+            const bool never = proven_empty_everywhere(content);
+            if (!never && !proven_full_everywhere(content)) continue;
+            found.push_back(base::warning(
+                *leaf->span, fmt::format("this comparison is true {}; change it, or take it away",
+                                         never ? "nowhere" : "everywhere")));
+        }
+        return found;
+    }
+
     base::Diagnostics warn(std::string message) const {
         return {base::warning(formula_.result, std::move(message))};
     }

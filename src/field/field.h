@@ -37,6 +37,7 @@ struct Formula {
     Kind kind = Kind::solid;
     std::optional<Colour> colour{};
     bool exact = false;  ///< the signed distance itself and not only a bound of it
+    std::optional<base::SourceSpan> span{};  ///< of the comparison in the user's text
 };
 
 /// An escape-time leaf, always a solid. The state starts at `start` (of the point), and `step` (of

@@ -16,9 +16,14 @@ NodeId difference(graph::Graph& graph, NodeId left, NodeId right) {
     return graph.apply(Op::sub, left, right);
 }
 
-FieldValue compare(Lowering& lowering, Relation relation, NodeId left, NodeId right) {
+FieldValue compare(Lowering& lowering, const Comparison& comparison, NodeId left, NodeId right) {
     field::Formula formula;
-    switch (relation) {
+    // In the body of a function another call may make something else of it.
+    const bool of_user = !lowering.source->library && !lowering.frame;
+    if (of_user) {
+        formula.span = base::cover(lowering.span(comparison.left), lowering.span(comparison.right));
+    }
+    switch (comparison.relation) {
         case Relation::equal:
             formula.kind = field::Kind::sheet;
             formula.value = difference(lowering.field.graph, left, right);
@@ -66,7 +71,7 @@ Value lower_comparison(Lowering& lowering, const Comparison& comparison) {
     const auto left = side(lowering, comparison.left, equation);
     const auto right = side(lowering, comparison.right, equation);
     if (!left || !right) return Nothing{};
-    return compare(lowering, comparison.relation, *left, *right);
+    return compare(lowering, comparison, *left, *right);
 }
 
 }  // namespace formula

@@ -92,6 +92,28 @@ TEST(CheckScene, tells_of_a_formula_without_the_point) {
     EXPECT_EQ(warning_of("t <= 1"), text);
 }
 
+TEST(CheckScene, tells_of_comparisons_that_are_decided) {
+    const std::string nowhere = "this comparison is true nowhere; change it, or take it away";
+    const std::string everywhere = "this comparison is true everywhere; change it, or take it away";
+    EXPECT_EQ(warning_of("sphere(1) | x^2 + y^2 = -1"), nowhere);
+    EXPECT_EQ(warning_of("sphere(1) & x^2 >= -1"), everywhere);
+    EXPECT_EQ(warning_of("sphere(1) & 1 < 2"), everywhere);
+    EXPECT_EQ(warning_of("sphere(1) \\ (abs(z) < -0.1)"), nowhere);
+    // A switch, and what only some values of a parameter decide.
+    EXPECT_EQ(warning_of("param cut = on\nsphere(1) & cut > 0.5"), "");
+    EXPECT_EQ(warning_of("param a = -1\nsphere(1) | x^2 <= a"), "");
+    // Decided in the bounds only.
+    EXPECT_EQ(warning_of("sphere(1) & z < 5"), "");
+    // A function may be meant for other calls, too.
+    EXPECT_EQ(warning_of("cut(a) = sphere(1) & x^2 >= a\ncut(-1) | cut(0.5)"), "");
+}
+
+TEST(CheckScene, points_at_a_decided_comparison) {
+    const base::Diagnostics found = check_scene(understood("sphere(1) & 0 <= x^2"), {});
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].span, (base::SourceSpan{12, 20}));
+}
+
 TEST(CheckScene, uses_the_values_of_the_document) {
     const Formula formula = understood("param d = 0\nx = d + t");
     scene::Document document;
@@ -159,6 +181,40 @@ TEST(CheckScene, of_random_formulas_is_never_refuted_by_samples) {
         }
     }
     EXPECT_GT(warnings, 60);
+}
+
+/// The contents of the fenced blocks of one kind in docs/language.md.
+std::vector<std::string> blocks(const std::string& kind) {
+    const auto text = base::read_text(
+        std::filesystem::path(ZEROSET_SOURCE_DIR) / "docs/language.md", scene::largest_preset);
+    EXPECT_TRUE(text);
+    std::vector<std::string> list;
+    const std::string fence = "\n```" + kind + "\n";
+    for (std::size_t at = text->find(fence); at != std::string::npos; at = text->find(fence, at)) {
+        at += fence.size();
+        const std::size_t end = text->find("\n```", at);
+        list.push_back(text->substr(at, end - at));
+        at = end;
+    }
+    return list;
+}
+
+TEST(CheckScene, says_what_the_description_of_the_language_says) {
+    const std::vector<std::string> reports = blocks("proven");
+    EXPECT_GE(reports.size(), 2u);
+    for (const std::string& report : reports) {
+        // The second line is the formula.
+        const std::size_t first = report.find('\n') + 1;
+        const std::string text = report.substr(first, report.find('\n', first) - first);
+        const base::Diagnostics found = check_scene(understood(text), {});
+        ASSERT_EQ(found.size(), 1u) << text;
+        EXPECT_EQ(base::format(found[0], "formula", text), report + "\n");
+    }
+    for (const std::string& example : blocks("zeroset")) {
+        for (const base::Diagnostic& it : check_scene(understood(example), {})) {
+            ADD_FAILURE() << example << '\n' << it.message;
+        }
+    }
 }
 
 TEST(CheckScene, has_nothing_to_say_about_the_shipped_presets) {
