@@ -70,6 +70,24 @@ TEST(SceneBuilder, keeps_the_last_good_scene_while_the_text_is_broken) {
     EXPECT_EQ(driver.links, 1);
 }
 
+TEST(SceneBuilder, warns_of_what_is_proven_for_the_document_of_the_moment) {
+    FakeDriver driver;
+    SceneBuilder builder(driver.link());
+    scene::Document document = with_formula("param d = 0 in [0, 9]\nx = d");
+    const auto seen = builder.build(document, never);
+    document.parameters["d"] = 9.0;
+    const auto away = builder.build(document, never);
+    document.bounds.half = glm::dvec3(20);
+    const auto again = builder.build(document, never);
+    ASSERT_TRUE(seen && away && again);
+    EXPECT_TRUE(seen->diagnostics.empty());
+    ASSERT_EQ(away->diagnostics.size(), 1u);
+    EXPECT_EQ(away->diagnostics[0].message,
+              "no part of the surface is in the bounds, the ball of radius 2 about the origin; "
+              "change the bounds or the parameters");
+    EXPECT_TRUE(again->diagnostics.empty());
+}
+
 TEST(SceneBuilder, links_again_for_another_effect) {
     FakeDriver driver;
     SceneBuilder builder(driver.link());
