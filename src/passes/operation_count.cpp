@@ -9,15 +9,19 @@
 namespace passes {
 namespace {
 
+/// A power that is not multiplied out; more than any chain, so that an exponent that is folded to a
+/// whole number is never a loss.
+constexpr std::size_t by_logarithm = 16;
+
 std::size_t multiplied_out(const graph::Graph& graph, const graph::Node& node) {
-    if (node.op != graph::Op::pow || !graph.is_constant(node.arguments[1])) return 1;
+    if (node.op != graph::Op::pow) return 1;
+    if (!graph.is_constant(node.arguments[1])) return by_logarithm;
     const double exponent = graph[node.arguments[1]].value;
     const double size = std::abs(exponent);
-    const bool division = exponent < 0;
     if (!(size >= 1 && size <= largest_chained_exponent && size == std::floor(size))) {
-        return 1 + (division ? 1 : 0);
+        return by_logarithm;
     }
-    return addition_chain(static_cast<int>(size)).size() + (division ? 1 : 0);
+    return addition_chain(static_cast<int>(size)).size() + (exponent < 0 ? 1 : 0);
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ struct OperationCount {
     std::array<std::size_t, graph::operator_count> by_operator{};
     std::size_t at_points = 0;  ///< the sum of by_operator
     std::size_t hoisted = 0;    ///< those that depend on parameters alone: once a frame, on the CPU
-    /// at_points, but with each whole power up to 64 counted as its multiplications.
+    /// at_points, but with each whole power up to 64 counted as its multiplications, and any other
+    /// power as more than those.
     std::size_t multiplied_out = 0;
 };
 

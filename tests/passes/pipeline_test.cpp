@@ -107,5 +107,12 @@ TEST(Pipeline, changes_nothing_the_second_time) {
     EXPECT_LE(unstable, 20) << "seed " << seed << ": the passes leave much work undone";
 }
 
+TEST(Pipeline, folds_an_exponent_that_is_multiplied_out_then) {
+    Leaves l;
+    const Expr power = pow(l.x + l.y, l.number(8) - 1.0);
+    const auto result = run(l.graph, std::array{power.id});
+    EXPECT_EQ(in_one_line(l.graph, result[0]).find("pow"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace passes
