@@ -13,3 +13,12 @@ Answer iteration_answer(real estimate, bool inside, real reach, int object) {
     real depth = min(estimate, -1e-30);
     return Answer(-0.125 * blind_step(), reach * depth, depth, 0.0, false, false, object);
 }
+
+// The estimate where a map that is no isometry lies between the point and the distance: divided by its
+// Lipschitz constant; a guess if that is unbounded.
+real distorted_estimate(real estimate, real inverse) {
+    if (inverse > 0.0) return estimate * inverse;
+    zs_guess = true;
+    real most = blind_step();
+    return clamp(0.5 * estimate, -most, most);
+}

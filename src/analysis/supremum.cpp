@@ -23,6 +23,8 @@ struct Entry {
 
 double supremum_bound(const Region& region, const Effort& effort,
                       const std::function<CellBounds(const Cell&)>& bounds) {
+    // What is true everywhere holds there too; halves of infinity are no smaller.
+    if (!std::isfinite(diameter(region))) return bounds(bounding_cell(region)).upper;
     std::priority_queue<Entry> queue;
     double lower = 0;
     int looked_at = 0;

@@ -24,7 +24,8 @@ struct CellBounds {
 
 /// An upper bound of the supremum over the region, +infinity if none was found. `bounds` is called
 /// for cells that together cover the region. Cells without a bound are halved first and in depth,
-/// so that a pole is found fast.
+/// so that a pole is found fast. A region
+/// without end is looked at as one cell.
 double supremum_bound(const Region& region, const Effort& effort,
                       const std::function<CellBounds(const Cell&)>& bounds);
 

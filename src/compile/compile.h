@@ -3,12 +3,12 @@
 // program's source, a field and parameter values become the numbers that the program is fed with.
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.h"
+#include "compile/field_bounds.h"
 #include "compile/parameter_values.h"
 #include "eval/tape.h"
 #include "field/field.h"
@@ -22,8 +22,7 @@ struct Formula {
     field::Field field;
     base::Diagnostics warnings;
     base::SourceSpan result;  ///< the last expression, whose field this is
-    /// For each leaf that is no distance the tape that its bounds are found from.
-    std::map<field::FieldId, eval::Tape> tapes;
+    BoundTapes tapes;
 };
 
 /// Spans are bytes of the text. All problems are reported, not only the first.

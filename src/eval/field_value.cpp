@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "eval/field_value.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <variant>
@@ -23,6 +24,13 @@ struct Place {
 double solid(double value) { return std::isnan(value) ? numeric::infinity : value; }
 
 double value_at(const Place& place, field::FieldId id);
+
+/// x, y and z, and room for all others.
+std::vector<double> variables_at(const Place& place) {
+    std::vector<double> variables(place.field.graph.variable_count(), 0.0);
+    for (int i = 0; i < 3; ++i) variables[static_cast<std::size_t>(i)] = place.point[i];
+    return variables;
+}
 
 std::vector<double> run(const Place& place, std::span<const graph::NodeId> roots,
                         const std::vector<double>& variables) {
@@ -47,8 +55,7 @@ struct LastTurn {
 };
 
 LastTurn iterate(const Place& place, const field::Iteration& iteration) {
-    std::vector<double> variables(place.field.graph.variable_count(), 0.0);
-    for (int i = 0; i < 3; ++i) variables[static_cast<std::size_t>(i)] = place.point[i];
+    std::vector<double> variables = variables_at(place);
     set_state(iteration, run(place, iteration.start, variables), variables);
 
     const Tape step = make_tape(place.field.graph, iteration.step);
@@ -77,11 +84,30 @@ double leaf(const Place& place, const field::Formula& formula) {
     return formula.kind == field::Kind::solid ? solid(value) : value;
 }
 
-double smooth_minimum(double a, double b, double k) {
-    // An infinite operand blends with nothing, and the formula would give NaN.
-    if (!(std::abs(b - a) < k)) return numeric::min(a, b);
-    const double h = 0.5 + 0.5 * (b - a) / k;
-    return b + (a - b) * h - k * h * (1 - h);
+/// Blends calculate with their operands' values: far away instead of infinite.
+double operand(double value) {
+    return std::clamp(solid(value), -field::unknown_depth, field::unknown_depth);
+}
+
+double blend(const Place& place, const field::Blend& node) {
+    std::vector<double> variables = variables_at(place);
+    for (std::size_t i = 0; i < node.operands.size(); ++i) {
+        variables[graph::index(node.values[i])] = operand(value_at(place, node.operands[i]));
+    }
+    const double value = run(place, std::array{node.value}, variables)[0];
+    if (!node.displacement) return value;
+    return value + solid(run(place, std::array{*node.displacement}, variables)[0]);
+}
+
+double in_cell(const Place& place, const field::Cells& node) {
+    const std::vector<double> q = run(place, node.point, variables_at(place));
+    return value_at({place.field, {q[0], q[1], q[2]}, place.parameters}, node.a);
+}
+
+bool first_chosen(const Place& place, const field::Choice& node) {
+    const std::vector<double> sides =
+        run(place, std::array{node.less, node.than}, variables_at(place));
+    return sides[0] < sides[1];
 }
 
 double value_at(const Place& place, field::FieldId id) {
@@ -96,10 +122,11 @@ double value_at(const Place& place, field::FieldId id) {
             return numeric::max(value_at(place, node.a), value_at(place, node.b));
         }
         double operator()(const field::Complement& node) const { return -value_at(place, node.a); }
-        double operator()(const field::SmoothUnion& node) const {
-            const double k = evaluate(place.field.graph, node.k, place.point, place.parameters);
-            return smooth_minimum(value_at(place, node.a), value_at(place, node.b), k);
+        double operator()(const field::Blend& node) const { return blend(place, node); }
+        double operator()(const field::Choice& node) const {
+            return value_at(place, first_chosen(place, node) ? node.a : node.b);
         }
+        double operator()(const field::Cells& node) const { return in_cell(place, node); }
     };
     return std::visit(Visitor{place}, place.field[id]);
 }

@@ -14,7 +14,8 @@ namespace eval {
 
 /// f < 0 inside, f > 0 outside. A formula gives its graph's value, an iteration its answer or
 /// -infinity where it never escapes (nothing is known about the depth), set operations the minimum,
-/// the maximum and the negative, a smooth union the polynomial smooth minimum.
+/// the maximum and the negative. A blend calculates with the values of its operands; infinite ones
+/// are the unknown depth of field.h there. In cells counts what is in the cell of the point.
 ///
 /// Outside the domain of a solid leaf is outside: its NaN becomes +infinity before anything is done
 /// with it. The NaN of a sheet stays and goes through all operations. `parameters` is indexed by

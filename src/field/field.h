@@ -30,11 +30,35 @@ enum class Metric {
 /// undefined ones count as 0. Of the point, in an iteration also of the state after the last turn.
 using Colour = std::array<graph::NodeId, 3>;
 
+/// Expressions of the point: where a map takes it.
+using Point = std::array<graph::NodeId, 3>;
+/// x, y and z: the map to itself.
+Point coordinates(graph::Graph& graph);
+
+/// Where a map takes the point: to `point`, turned about the z axis by `-turn` radians. Told apart
+/// since a turn as such leaves lengths alone: what stretches them is the Jacobian of `point` plus
+/// that of the angle times the way that it turns.
+struct Image {
+    Point point{};
+    std::optional<graph::NodeId> turn{};
+};
+
+/// How a distance is distorted: it is one (1-Lipschitz) not in the point but in an image of it, and
+/// `displacement`, an expression in the point, is added. The Lipschitz constant of the sum is at
+/// most sup |J| + sup |grad displacement|, with J the Jacobian of the image.
+struct Distortion {
+    Image image{};
+    std::optional<graph::NodeId> displacement;
+};
+
 /// A leaf given by one expression in the point.
 struct Formula {
     graph::NodeId value{};
     Metric metric = Metric::scalar;
     Kind kind = Kind::solid;
+    /// Of a scalar that is made of distorted distances: it changes by no more than that one of them
+    /// which changes most. Empty if it is made of anything else, too.
+    std::vector<Distortion> distortions{};
     std::optional<Colour> colour{};
     bool exact = false;  ///< the signed distance itself and not only a bound of it
     std::optional<base::SourceSpan> span{};  ///< of the comparison in the user's text
@@ -53,6 +77,8 @@ struct Iteration {
     graph::NodeId limit{};  ///< independent of the point; rounded to the nearest whole number
     std::optional<graph::NodeId> escape;
     graph::NodeId distance{};
+    /// Where a map that is no isometry lies between the point and the distance: what it maps to.
+    std::optional<Image> image{};
     std::optional<Colour> colour{};
 };
 
@@ -65,14 +91,41 @@ struct Intersection {
 struct Complement {
     FieldId a{};
 };
-/// Polynomial smooth minimum of two distances over a blending width k > 0; 1-Lipschitz if both are.
-/// Only where an operand is no Formula; otherwise it is composed into one graph.
-struct SmoothUnion {
-    FieldId a{}, b{};
-    graph::NodeId k{};
+
+/// A solid made of the values of solids by a formula. Only where an operand is no Formula;
+/// otherwise all is composed into one Formula.
+struct Blend {
+    std::vector<FieldId> operands;
+    /// One an operand: it stands for the operand's value in `value`.
+    std::vector<graph::VariableId> values;
+    /// Of `values` and parameters; changes by no more than that operand which changes most.
+    graph::NodeId value{};
+    std::optional<graph::NodeId> displacement{};  ///< added to it: an expression in the point
 };
 
-using Node = std::variant<Formula, Iteration, Union, Intersection, Complement, SmoothUnion>;
+/// `a` where less < than, else `b`; both are the same at every point.
+struct Choice {
+    graph::NodeId less{}, than{};
+    FieldId a{}, b{};
+};
+
+/// Copies of `a` in the cells of a partition of space. Within a cell everything is an isometry of
+/// `a`'s own coordinates; across a wall the value may jump.
+struct Cells {
+    FieldId a{};
+    Point point{};  ///< in the coordinates of `a`; its derivatives are those within the cell
+    /// At least 0 inside the cell where the point is, at most 0 outside; affine within the cell.
+    std::vector<graph::NodeId> walls;
+    std::vector<graph::NodeId> index;  ///< at most three whole numbers that tell which cell it is
+    std::optional<Colour> colour{};    ///< of all that is below, by the point outside of the cells
+};
+
+using Node =
+    std::variant<Formula, Iteration, Union, Intersection, Complement, Blend, Choice, Cells>;
+
+/// The value of an operand of a Blend that is undefined (outside, so positive) or that is inside
+/// of an escape-time set (negative): farther than anything, but no infinity.
+inline constexpr double unknown_depth = 1e30;
 
 /// A whole shape: one graph for all leaves, the tree, the formula's parameters.
 struct Field {
@@ -102,15 +155,5 @@ std::optional<Colour> colour_of(const Node& leaf);
 /// The leaves below a node from left to right: the objects of the scene. A leaf that is used twice
 /// is listed twice.
 std::vector<FieldId> leaves(const Field& field, FieldId id);
-
-/// The same shape with x, y, z replaced by these expressions of the point, and distances multiplied
-/// by `stretch` (independent of the point): the factor that makes a distance at the new point a
-/// distance again, 1 for isometries, a for `x / a`.
-FieldId map_domain(Field& field, FieldId id, const std::array<graph::NodeId, 3>& point,
-                   graph::NodeId stretch);
-
-/// The smooth union; composes graphs where both sides are made of formulas. A width that a
-/// parameter brings down to 0 gives the plain union.
-FieldId smooth_union(Field& field, FieldId a, FieldId b, graph::NodeId k);
 
 }  // namespace field

@@ -35,6 +35,11 @@ FieldId coloured(Field& field, FieldId id, const Colour& colour) {
     std::visit(Overloaded{[&](Formula& leaf) { leaf.colour = colour; },
                           [&](Iteration& leaf) { leaf.colour = colour; },
                           [&](Complement& n) { below(n.a); },
+                          [&](Blend& n) {
+                              for (FieldId& operand : n.operands) below(operand);
+                          },
+                          // The point outside of the cells is not known below.
+                          [&](Cells& n) { n.colour = colour; },
                           [&](auto& n) {
                               below(n.a);
                               below(n.b);

@@ -11,35 +11,68 @@ using graph::NodeId;
 struct Expressions {
     std::vector<NodeId*> list{};
 
-    void add(std::optional<Colour>& colour) {
-        if (!colour) return;
-        for (NodeId& id : *colour) list.push_back(&id);
+    void add(NodeId& id) { list.push_back(&id); }
+    void add(std::optional<NodeId>& id) {
+        if (id) list.push_back(&*id);
     }
+    void add(std::optional<std::array<NodeId, 3>>& ids) {
+        if (ids) add_all(*ids);
+    }
+    void add(Image& image) {
+        add_all(image.point);
+        add(image.turn);
+    }
+    template <class Range>
+    void add_all(Range& range) {
+        for (NodeId& id : range) list.push_back(&id);
+    }
+
     void operator()(Formula& leaf) {
-        list.push_back(&leaf.value);
+        add(leaf.value);
+        for (Distortion& distortion : leaf.distortions) {
+            add(distortion.image);
+            add(distortion.displacement);
+        }
         add(leaf.colour);
     }
     void operator()(Iteration& leaf) {
-        for (NodeId& id : leaf.start) list.push_back(&id);
-        for (NodeId& id : leaf.step) list.push_back(&id);
-        list.push_back(&leaf.limit);
-        if (leaf.escape) list.push_back(&*leaf.escape);
-        list.push_back(&leaf.distance);
+        add_all(leaf.start);
+        add_all(leaf.step);
+        add(leaf.limit);
+        add(leaf.escape);
+        add(leaf.distance);
+        if (leaf.image) add(*leaf.image);
         add(leaf.colour);
     }
-    void operator()(SmoothUnion& node) { list.push_back(&node.k); }
     void operator()(Union&) {}
     void operator()(Intersection&) {}
     void operator()(Complement&) {}
+    void operator()(Blend& node) {
+        add(node.value);
+        add(node.displacement);
+    }
+    void operator()(Choice& node) {
+        add(node.less);
+        add(node.than);
+    }
+    void operator()(Cells& node) {
+        add_all(node.point);
+        add_all(node.walls);
+        add_all(node.index);
+        add(node.colour);
+    }
 };
 
 struct Children {
-    std::vector<FieldId> operator()(const Formula&) const { return {}; }
-    std::vector<FieldId> operator()(const Iteration&) const { return {}; }
-    std::vector<FieldId> operator()(const Complement& node) const { return {node.a}; }
-    std::vector<FieldId> operator()(const Union& node) const { return {node.a, node.b}; }
-    std::vector<FieldId> operator()(const Intersection& node) const { return {node.a, node.b}; }
-    std::vector<FieldId> operator()(const SmoothUnion& node) const { return {node.a, node.b}; }
+    using List = std::vector<FieldId>;
+    List operator()(const Formula&) const { return {}; }
+    List operator()(const Iteration&) const { return {}; }
+    List operator()(const Complement& node) const { return {node.a}; }
+    List operator()(const Union& node) const { return {node.a, node.b}; }
+    List operator()(const Intersection& node) const { return {node.a, node.b}; }
+    List operator()(const Blend& node) const { return node.operands; }
+    List operator()(const Choice& node) const { return {node.a, node.b}; }
+    List operator()(const Cells& node) const { return {node.a}; }
 };
 
 }  // namespace

@@ -51,15 +51,30 @@ struct Printer {
     std::string indent;
     std::vector<FieldId> children{};
 
+    using Expressions = std::vector<std::pair<std::string, NodeId>>;
+
+    static void add_point(Expressions& list, const std::string& name, const Point& point) {
+        for (std::size_t i = 0; i < 3; ++i) list.emplace_back(name + " " + "xyz"[i], point[i]);
+    }
+
+    static void add_image(Expressions& list, const Image& image) {
+        add_point(list, "image", image.point);
+        if (image.turn) list.emplace_back("turn", *image.turn);
+    }
+
     std::string operator()(const Formula& leaf) const {
         const std::string kind = leaf.kind == Kind::sheet ? "sheet" : "solid";
         const std::string metric = leaf.metric == Metric::distance ? " distance" : "";
-        std::vector<std::pair<std::string, NodeId>> list{{"value", leaf.value}};
+        Expressions list{{"value", leaf.value}};
+        for (const Distortion& it : leaf.distortions) {
+            add_image(list, it.image);
+            if (it.displacement) list.emplace_back("displacement", *it.displacement);
+        }
         add_colour(list, leaf.colour);
         return kind + metric + '\n' + expressions(field.graph, list, indent + "  ");
     }
     std::string operator()(const Iteration& leaf) const {
-        std::vector<std::pair<std::string, NodeId>> list;
+        Expressions list;
         for (std::size_t i = 0; i < leaf.state.size(); ++i) {
             const std::string& name = field.graph.name(leaf.state[i]);
             list.emplace_back("start " + name, leaf.start[i]);
@@ -68,6 +83,7 @@ struct Printer {
         list.emplace_back("limit", leaf.limit);
         if (leaf.escape) list.emplace_back("escape", *leaf.escape);
         list.emplace_back("distance", leaf.distance);
+        if (leaf.image) add_image(list, *leaf.image);
         add_colour(list, leaf.colour);
         return "iteration\n" + expressions(field.graph, list, indent + "  ");
     }
@@ -76,9 +92,22 @@ struct Printer {
         return inner("intersection", {node.a, node.b});
     }
     std::string operator()(const Complement& node) { return inner("complement", {node.a}); }
-    std::string operator()(const SmoothUnion& node) {
-        std::string text = inner("smooth union", {node.a, node.b});
-        return text + expressions(field.graph, {{"width", node.k}}, indent + "  ");
+    std::string operator()(const Blend& node) {
+        Expressions list{{"value", node.value}};
+        if (node.displacement) list.emplace_back("displacement", *node.displacement);
+        return inner("blend", node.operands) + expressions(field.graph, list, indent + "  ");
+    }
+    std::string operator()(const Choice& node) {
+        return inner("choice", {node.a, node.b}) +
+               expressions(field.graph, {{"less", node.less}, {"than", node.than}}, indent + "  ");
+    }
+    std::string operator()(const Cells& node) {
+        Expressions list;
+        add_point(list, "point", node.point);
+        for (const NodeId wall : node.walls) list.emplace_back("wall", wall);
+        for (const NodeId number : node.index) list.emplace_back("index", number);
+        add_colour(list, node.colour);
+        return inner("cells", {node.a}) + expressions(field.graph, list, indent + "  ");
     }
     std::string inner(const char* name, std::vector<FieldId> below) {
         children = std::move(below);

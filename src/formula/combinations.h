@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is called with fields and gives a field: set operations, the smooth union, and maps of
-// space.
+// What is called with fields and gives a field: set operations, blends, and maps of space.
 #pragma once
 
 #include <span>

@@ -4,6 +4,8 @@
 #include "formula/rotation.h"
 #include "formula/trimmed_arithmetic.h"
 
+#include "field/map_domain.h"
+
 namespace formula {
 namespace {
 

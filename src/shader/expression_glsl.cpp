@@ -30,11 +30,7 @@ std::string FieldValues::expression(NodeId node) {
     const auto known = places_.find(node);
     if (known != places_.end()) return known->second;
     expressions_.push_back(node);
-    return places_[node] = place({FieldValue::What::expression, {}});
-}
-
-std::string FieldValues::bound(FieldValue::What what, field::FieldId leaf) {
-    return place({what, leaf});
+    return places_[node] = place({FieldValue::What::expression, {}, {}});
 }
 
 std::string ExpressionWriter::spelling(NodeId id) {

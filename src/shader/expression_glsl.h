@@ -22,7 +22,7 @@ std::string literal(double value);
 class FieldValues {
 public:
     std::string expression(graph::NodeId node);
-    std::string bound(FieldValue::What what, field::FieldId leaf);
+    std::string bound(const FieldValue& value) { return place(value); }
     const std::vector<FieldValue>& list() const { return list_; }
     /// The nodes of those that are expressions, in their order.
     const std::vector<graph::NodeId>& expressions() const { return expressions_; }

@@ -16,8 +16,8 @@ struct FieldGlsl {
     std::set<std::string> operator_parts;  ///< below shaders/, to stand before the code
     std::set<std::string> leaf_parts;      ///< likewise
     std::vector<FieldValue> values;
-    eval::Tape expressions;  ///< those among the values, in their order
-    bool has_iterations = false;
+    eval::Tape expressions;          ///< those among the values, in their order
+    bool needs_differences = false;  ///< for gradients
     bool has_colours = false;
 };
 
@@ -26,8 +26,9 @@ struct FieldGlsl {
 ///   void field_start()              before a ray begins
 ///   Answer field(p, d)              the answer of the whole tree
 ///   void field_accept()             after the ray has gone on to the point last asked for
-///   real3 object_gradient(i, p, h)  a leaf's gradient; by differences over h if it is an iteration
-///   real object_distance(i, p)      an iteration's value; only if there are iterations
+///   real3 object_gradient(i, p, h)  the gradient of a leaf, by differences over h if it is an
+///                                   iteration, or of the blend that it is part of
+///   real object_distance(i, p)      the value of an iteration or blend; only if there are any
 ///   bool object_colour(i, p, colour)  a leaf's own colour, if it has one; only if some leaf has
 /// The field's graph gets the derivatives' nodes, hence the copy.
 FieldGlsl field_glsl(field::Field field, bool count_evaluations);

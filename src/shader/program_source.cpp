@@ -99,7 +99,7 @@ ProgramSource program_source(const field::Field& field, const Features& features
                       : features.bounds_box  ? "region/box.glsl"
                                              : "region/none.glsl");
     assembly.add_part("tracer/march.glsl");
-    if (generated.has_iterations) assembly.add_part("normal/differences.glsl");
+    if (generated.needs_differences) assembly.add_part("normal/differences.glsl");
     assembly.add_part("normal/normal.glsl");
     if (features.outputs.picture) add_picture_parts(assembly, features, generated.has_colours);
     assembly.add_code(outputs_code(features));

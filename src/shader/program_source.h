@@ -46,12 +46,14 @@ struct Features {
 struct FieldValue {
     enum class What {
         expression,         ///< the next root of ProgramSource::expressions
-        inverse_lipschitz,  ///< 1 / sup |grad f| of the leaf over the region; 0 if unbounded
+        inverse_lipschitz,  ///< 1 / the Lipschitz constant over the region; 0 if unbounded
         second_derivative,  ///< sup |d2f/dt2| of the leaf over the region; negative if unbounded
         first_order,        ///< 1 where the leaf is stiff: the first-order step is used, else 0
     };
     What what = What::expression;
-    field::FieldId leaf{};  ///< unless it is an expression
+    field::FieldId node{};  ///< a leaf or a blend, unless it is an expression
+    /// The cells that the node is in, outermost first: the region is seen in their coordinates.
+    std::vector<field::FieldId> cells{};
 };
 
 struct ProgramSource {

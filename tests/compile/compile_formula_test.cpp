@@ -25,11 +25,11 @@ TEST(CompileFormula, keeps_the_value) {
 }
 
 TEST(CompileFormula, has_a_tape_for_each_leaf_that_is_no_distance) {
-    EXPECT_EQ(understood("sphere(1) | box(1)").tapes.size(), 0U);
-    EXPECT_EQ(understood("menger(2)").tapes.size(), 0U);
+    EXPECT_EQ(understood("sphere(1) | box(1)").tapes.formulas.size(), 0U);
+    EXPECT_EQ(understood("menger(2)").tapes.formulas.size(), 0U);
     const Formula formula = understood("(x*y <= z) | sphere(1) | (x <= y^3)");
-    EXPECT_EQ(formula.tapes.size(), 2U);
-    for (const auto& [id, tape] : formula.tapes) {
+    EXPECT_EQ(formula.tapes.formulas.size(), 2U);
+    for (const auto& [id, tape] : formula.tapes.formulas) {
         ASSERT_TRUE(std::holds_alternative<field::Formula>(formula.field[id]));
         EXPECT_EQ(tape.roots.size(), 1U);
     }

@@ -36,7 +36,7 @@ struct Frame {
     analysis::LeafBounds bounds() const {
         const scene::Bounds region = scene::framed_region(document.bounds);
         return analysis::leaf_bounds(
-            formula.tapes.begin()->second,
+            formula.tapes.formulas.begin()->second,
             {region.centre, region.half, region.shape == scene::Bounds::Shape::sphere},
             parameter_values(formula.field, document));
     }

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "field/blends.h"
+#include "field/palette.h"
 #include "graph/build.h"
 
 namespace eval {
@@ -35,10 +37,16 @@ TEST(FieldValue, combines_by_minimum_maximum_and_sign) {
     EXPECT_EQ(at_x(f, f.add(field::Complement{a}), 2), -1);
 }
 
+/// The smooth union of two formulas that are not composed: one of them has a colour.
+FieldId apart(Field& f, FieldId a, FieldId b, double k) {
+    const FieldId red = field::coloured(f, a, field::coordinates(f.graph));
+    return smooth_union(f, red, b, f.graph.constant(k));
+}
+
 TEST(FieldValue, smooth_union_blends_over_its_width) {
     Field f;
     const FieldId a = half_space(f, 0), b = f.add(field::Formula{.value = (-x_of(f)).id});
-    const FieldId blend = f.add(field::SmoothUnion{a, b, f.graph.constant(2)});
+    const FieldId blend = apart(f, a, b, 2);
     EXPECT_EQ(at_x(f, blend, 0), -0.5) << "a quarter of the width below the corner";
     EXPECT_EQ(at_x(f, blend, 1), -1);
     EXPECT_EQ(at_x(f, blend, 3), -3);
@@ -53,7 +61,7 @@ TEST(FieldValue, outside_the_domain_of_a_solid_is_outside) {
     EXPECT_EQ(at_x(f, solid, -1), infinity);
     EXPECT_EQ(at_x(f, f.add(field::Union{solid, other}), -1), -1);
     EXPECT_EQ(at_x(f, f.add(field::Complement{solid}), -1), -infinity);
-    EXPECT_EQ(at_x(f, f.add(field::SmoothUnion{solid, other, f.graph.constant(1)}), -1), -1);
+    EXPECT_EQ(at_x(f, apart(f, solid, other, 1), -1), -1);
     EXPECT_TRUE(std::isnan(at_x(f, sheet, -1)));
 }
 

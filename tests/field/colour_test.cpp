@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "field/blends.h"
+#include "field/map_domain.h"
 #include "field/palette.h"
 #include "field/print_field.h"
 #include "field/shapes.h"

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "field/blends.h"
+#include "field/palette.h"
 #include "field/shapes.h"
 #include "graph/build.h"
 
@@ -36,35 +38,36 @@ TEST(Leaves, are_listed_from_left_to_right_and_as_often_as_they_are_used) {
     const FieldId a = sheet(f), b = add_primitive(f, "sphere", {1});
     const FieldId c = shells(f, 2);
     const FieldId left = f.add(Intersection{f.add(Complement{c}), a});
-    const FieldId root = f.add(Union{left, f.add(SmoothUnion{b, c, f.graph.constant(1)})});
+    const FieldId root = f.add(Union{left, smooth_union(f, b, c, f.graph.constant(1))});
     EXPECT_EQ(leaves(f, root), (std::vector{c, a, b, c}));
     EXPECT_EQ(leaves(f, a), std::vector{a});
 }
 
 /// Two half spaces at a right angle, blended over the width; of one graph, or of two leaves.
-struct Blend {
+struct Pair {
     Field field;
     FieldId composed{}, apart{};
 
-    explicit Blend(double width) {
+    explicit Pair(double width) {
         const FieldId a = half_space(field, graph::variable_x, 0);
         const FieldId b = half_space(field, graph::variable_y, 0);
         const graph::NodeId k = field.graph.constant(width);
         composed = smooth_union(field, a, b, k);
-        apart = field.add(SmoothUnion{a, b, k});
+        // Colours keep formulas apart.
+        apart = smooth_union(field, coloured(field, a, coordinates(field.graph)), b, k);
     }
     double at(double x, double y) const { return eval::value(field, composed, {x, y, 0}, {}); }
 };
 
 TEST(SmoothUnion, is_the_minimum_out_of_its_width) {
-    const Blend blend(0.5);
+    const Pair blend(0.5);
     EXPECT_EQ(blend.at(2, 1), 1);
     EXPECT_EQ(blend.at(-3, 4), -3);
     EXPECT_EQ(blend.at(1, 1.5), 1);
 }
 
 TEST(SmoothUnion, is_a_quarter_of_the_width_lower_where_both_are_equal) {
-    const Blend blend(0.5);
+    const Pair blend(0.5);
     EXPECT_DOUBLE_EQ(blend.at(1, 1), 1 - 0.125);
     EXPECT_DOUBLE_EQ(blend.at(0.1, 0.1), 0.1 - 0.125) << "the edge is filled";
     EXPECT_DOUBLE_EQ(blend.at(1, 1.25), 1 - 0.25 * 0.5 * 0.25);
@@ -73,8 +76,9 @@ TEST(SmoothUnion, is_a_quarter_of_the_width_lower_where_both_are_equal) {
 TEST(SmoothUnion, is_the_same_in_one_graph_as_of_two_leaves) {
     constexpr unsigned seed = 31;
     Random random(seed);
-    const Blend blend(0.75);
+    const Pair blend(0.75);
     ASSERT_TRUE(std::holds_alternative<Formula>(blend.field[blend.composed]));
+    ASSERT_TRUE(std::holds_alternative<Blend>(blend.field[blend.apart]));
     for (int i = 0; i < 500; ++i) {
         const glm::dvec3 p = random_point(random, 1);
         ASSERT_NEAR(eval::value(blend.field, blend.composed, p, {}),
@@ -102,7 +106,7 @@ TEST(SmoothUnion, of_an_escape_time_set_stays_a_tree) {
     Field f;
     f.root =
         smooth_union(f, shells(f, 2), add_primitive(f, "sphere", {1.1}), f.graph.constant(0.2));
-    EXPECT_TRUE(std::holds_alternative<SmoothUnion>(f[f.root]));
+    EXPECT_TRUE(std::holds_alternative<Blend>(f[f.root]));
     expect_lipschitz(f, 33, 2, 500);
 }
 

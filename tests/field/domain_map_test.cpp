@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "field/blends.h"
+#include "field/map_domain.h"
 #include "field/shapes.h"
 #include "graph/build.h"
 

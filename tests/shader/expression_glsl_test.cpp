@@ -175,7 +175,8 @@ TEST(FieldValues, fill_four_places_of_each_vector) {
     }
     const graph::NodeId again = values.expressions()[2];
     EXPECT_EQ(values.expression(again), "field_values[0].z") << "one place for one node";
-    EXPECT_EQ(values.bound(FieldValue::What::first_order, field::FieldId{}), "field_values[1].z");
+    EXPECT_EQ(values.bound({FieldValue::What::first_order, field::FieldId{}, {}}),
+              "field_values[1].z");
     EXPECT_EQ(values.list().size(), 7U);
     EXPECT_EQ(values.expressions().size(), 6U);
 }

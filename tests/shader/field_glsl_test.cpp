@@ -47,10 +47,10 @@ TEST(FieldGlsl, counts_evaluations_only_if_asked_to) {
 
 TEST(FieldGlsl, takes_gradients_of_iterations_by_differences) {
     const FieldGlsl sponge = field_glsl(field_of("menger(2)"), false);
-    EXPECT_TRUE(sponge.has_iterations);
+    EXPECT_TRUE(sponge.needs_differences);
     EXPECT_TRUE(has(sponge.code, "object_differences(object, p, h)"));
     const FieldGlsl sphere = field_glsl(field_of("sphere(1)"), false);
-    EXPECT_FALSE(sphere.has_iterations);
+    EXPECT_FALSE(sphere.needs_differences);
     EXPECT_FALSE(has(sphere.code, "object_differences"));
 }
 

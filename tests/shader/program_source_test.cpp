@@ -94,8 +94,8 @@ TEST(ProgramSource, has_only_the_operators_that_the_formula_needs) {
 TEST(ProgramSource, has_only_the_kinds_of_leaves_that_the_formula_needs) {
     const std::string sphere = program("sphere(1)", {});
     EXPECT_TRUE(has(sphere, "Answer distance_answer("));
-    for (const char* part : {"sheet_answer", "formula_answer", "iteration_answer",
-                             "answer_smooth_union", "field_values", "object_differences"}) {
+    for (const char* part : {"sheet_answer", "formula_answer", "iteration_answer", "blend_answer",
+                             "field_values", "object_differences"}) {
         EXPECT_FALSE(has(sphere, part)) << part;
     }
     EXPECT_FALSE(has(program(plain, {}), "iteration_answer"));

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "shader/field_code.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "passes/differentiate.h"
+#include "passes/pipeline.h"
+#include "shader/domain.h"
+
+namespace shader {
+
+using field::FieldId;
+
+FieldCode::FieldCode(field::Field of) : field(std::move(of)), plan(field_plan(field)) {
+    differentiate();
+    make_cheap();
+    depends = depends_on_variables(field.graph);
+}
+
+void FieldCode::differentiate() {
+    std::vector<FieldId> formulas;
+    std::vector<graph::NodeId> formula_values;
+    for (const Object& object : plan.objects) {
+        if (const auto* leaf = std::get_if<field::Formula>(&field[object.id])) {
+            formulas.push_back(object.id);
+            formula_values.push_back(leaf->value);
+        }
+    }
+    edges = may_be_undefined(field.graph, formula_values);
+    const auto found = passes::gradients(field.graph, formula_values);
+    for (std::size_t i = 0; i < formulas.size(); ++i) gradients[formulas[i]] = found[i];
+    for (const FieldId id : plan.cells) {
+        const auto& cells = std::get<field::Cells>(field[id]);
+        const auto turn = passes::gradients(field.graph, cells.point);
+        std::ranges::copy(turn, turns[id].begin());
+        wall_rates[id] = passes::gradients(field.graph, cells.walls);
+    }
+}
+
+/// The last passes see values and derivatives together, which share much.
+void FieldCode::make_cheap() {
+    std::vector<graph::NodeId*> places = passes::all_expressions(field);
+    const auto add = [&](Gradient& gradient) {
+        for (graph::NodeId& slope : gradient) places.push_back(&slope);
+    };
+    for (auto& [id, gradient] : gradients) add(gradient);
+    for (auto& [id, rows] : turns) std::ranges::for_each(rows, add);
+    for (auto& [id, rates] : wall_rates) std::ranges::for_each(rates, add);
+    std::vector<graph::NodeId> roots;
+    for (const graph::NodeId* place : places) roots.push_back(*place);
+    const std::vector<graph::NodeId> cheap =
+        passes::run(field.graph, roots, passes::Stage::evaluation);
+    for (std::size_t i = 0; i < places.size(); ++i) *places[i] = cheap[i];
+}
+
+ExpressionWriter FieldCode::writer(const std::string& p) {
+    return {field.graph,
+            depends,
+            values,
+            {{graph::variable_x, p + ".x"},
+             {graph::variable_y, p + ".y"},
+             {graph::variable_z, p + ".z"}}};
+}
+
+void FieldCode::finish(const ExpressionWriter& writer) {
+    out.operator_parts.insert(writer.operator_parts().begin(), writer.operator_parts().end());
+}
+
+WayIn way_in(const FieldCode& code, const std::vector<FieldId>& cells, const std::string& indent) {
+    WayIn way{"", {"p"}};
+    if (cells.empty()) return way;
+    way.statements = fmt::format("{}real3 e;\n{}real w;\n", indent, indent);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::string q = fmt::format("q{}", i);
+        way.statements +=
+            fmt::format("{0}real3 {1};\n{0}cell_{2}({3}, real3(0.0), {1}, e, w);\n", indent, q,
+                        code.plan.cells_number(cells[i]), way.points.back());
+        way.points.push_back(q);
+    }
+    return way;
+}
+
+}  // namespace shader

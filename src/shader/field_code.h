@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// What the writers of a field's functions share. Internal to the library.
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "shader/expression_glsl.h"
+#include "shader/field_glsl.h"
+#include "shader/field_plan.h"
+
+namespace shader {
+
+/// Derivatives by x, y and z.
+using Gradient = std::array<graph::NodeId, 3>;
+
+/// A field with all the derivatives that its program needs, and the code as it grows.
+struct FieldCode {
+    field::Field field;
+    FieldPlan plan;
+    std::map<field::FieldId, Gradient> gradients;                ///< of formulas
+    std::map<field::FieldId, std::array<Gradient, 3>> turns;     ///< of the points of cells
+    std::map<field::FieldId, std::vector<Gradient>> wall_rates;  ///< of the walls of cells
+    bool edges = false;  ///< a formula may be undefined somewhere
+    std::vector<bool> depends;
+    FieldValues values;
+    FieldGlsl out;
+
+    explicit FieldCode(field::Field of);
+
+    const field::Formula* formula(std::size_t object) const {
+        return std::get_if<field::Formula>(&field[plan.objects[object].id]);
+    }
+    const field::Iteration* iteration(std::size_t object) const {
+        return std::get_if<field::Iteration>(&field[plan.objects[object].id]);
+    }
+    bool is_sheet(std::size_t object) const {
+        return formula(object) && formula(object)->kind == field::Kind::sheet;
+    }
+    /// Writes expressions of the point that GLSL calls `p`.
+    ExpressionWriter writer(const std::string& p = "p");
+    /// Keeps what the statements of a writer need.
+    void finish(const ExpressionWriter& writer);
+    /// A part of shaders/ that the code needs.
+    void needs(const char* part) { out.leaf_parts.insert(part); }
+
+private:
+    void differentiate();
+    void make_cheap();
+};
+
+/// The functions of the leaves: value_i, distance_i, leaf_i.
+void write_leaves(FieldCode& code);
+
+/// For each of plan.cells: cell_i (point, direction and way to the wall), cell_back_i (a gradient
+/// in the cell's coordinates as one outside), cell_index_i.
+void write_cells(FieldCode& code);
+
+/// For each of plan.blends: blend_i, the value and the object that is nearest.
+void write_blends(FieldCode& code);
+
+/// field(p, d), field_start and field_accept.
+void write_tree(FieldCode& code, bool count_evaluations);
+
+/// object_gradient, and object_distance if it is needed.
+void write_gradients(FieldCode& code);
+
+/// object_colour, if there are any.
+void write_colours(FieldCode& code);
+
+/// Statements that take the point `p` into these cells, outermost first; the names of the point
+/// before each of them and at the end.
+struct WayIn {
+    std::string statements;
+    std::vector<std::string> points;
+};
+WayIn way_in(const FieldCode& code, const std::vector<field::FieldId>& cells,
+             const std::string& indent);
+
+}  // namespace shader

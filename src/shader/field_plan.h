@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Which leaves, blends and cells a field has, numbered as its program names them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "field/field.h"
+
+namespace shader {
+
+/// A leaf where it stands in the tree; its number is the object's.
+struct Object {
+    field::FieldId id{};
+    std::vector<field::FieldId> cells;  ///< above it, outermost first
+    std::optional<std::size_t> blend;   ///< the number of the outermost blend above it
+};
+
+/// A blend with none above it.
+struct OuterBlend {
+    field::FieldId id{};
+    std::vector<field::FieldId> cells;  ///< above it, outermost first
+    std::size_t first_object = 0;       ///< of those below
+    bool escapes = false;               ///< an escape-time set is below
+};
+
+struct FieldPlan {
+    std::vector<Object> objects;        ///< from left to right
+    std::vector<OuterBlend> blends;     ///< likewise
+    std::vector<field::FieldId> cells;  ///< each once
+
+    std::size_t cells_number(field::FieldId id) const;
+};
+
+FieldPlan field_plan(const field::Field& field);
+
+}  // namespace shader

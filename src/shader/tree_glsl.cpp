@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// The answer of the whole tree along a ray.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "shader/field_code.h"
+
+namespace shader {
+namespace {
+
+using field::FieldId;
+
+/// Where in space nodes are asked: the names of a point and of the ray's direction.
+struct Place {
+    std::string p = "p", d = "d";
+    std::vector<int> cells{};  ///< the numbers of the cells around it
+};
+
+class TreeWriter {
+public:
+    explicit TreeWriter(FieldCode& code) : code_(code) {}
+
+    /// Writes the statements of a node and returns the name of its answer.
+    std::string write(FieldId id, const Place& place) {
+        const field::Node node = code_.field[id];
+        std::string name;
+        const std::string right =
+            std::visit([&](const auto& it) { return answer(id, it, place, name); }, node);
+        if (name.empty()) {
+            name = fresh();
+            body_ += fmt::format("    Answer {} = {};\n", name, right);
+        }
+        return name;
+    }
+
+    const std::string& body() const { return body_; }
+    /// The cells in which there are sheets, by number.
+    const std::vector<int>& watched_cells() const { return watched_; }
+
+private:
+    std::string fresh() { return fmt::format("a{}", count_++); }
+
+    std::string leaf(const Place& place) {
+        const std::size_t i = object_++;
+        if (code_.is_sheet(i)) {
+            // What is known of the side belongs to the cell where the ray was before.
+            for (const int cell : place.cells) {
+                body_ += fmt::format("    if (here_{0} != before_{0}) side_{1} = 0.0;\n", cell, i);
+                if (std::ranges::count(watched_, cell) == 0) watched_.push_back(cell);
+            }
+        }
+        return fmt::format("leaf_{}({}, {})", i, place.p, place.d);
+    }
+    std::string answer(FieldId, const field::Formula&, const Place& place, std::string&) {
+        return leaf(place);
+    }
+    std::string answer(FieldId, const field::Iteration&, const Place& place, std::string&) {
+        return leaf(place);
+    }
+    std::string answer(FieldId, const field::Union& node, const Place& place, std::string&) {
+        const std::string a = write(node.a, place), b = write(node.b, place);
+        return fmt::format("answer_union({}, {})", a, b);
+    }
+    std::string answer(FieldId, const field::Intersection& node, const Place& place, std::string&) {
+        const std::string a = write(node.a, place), b = write(node.b, place);
+        if (kind_of(code_.field, node.a) == field::Kind::sheet) {
+            return fmt::format("answer_clip({}, {})", a, b);
+        }
+        if (kind_of(code_.field, node.b) == field::Kind::sheet) {
+            return fmt::format("answer_clip({}, {})", b, a);
+        }
+        return fmt::format("answer_intersection({}, {})", a, b);
+    }
+    std::string answer(FieldId, const field::Complement& node, const Place& place, std::string&) {
+        return fmt::format("answer_complement({})", write(node.a, place));
+    }
+    std::string answer(FieldId, const field::Choice& node, const Place& place, std::string& name) {
+        ExpressionWriter w = code_.writer(place.p);
+        name = fresh();
+        body_ += fmt::format("    Answer {};\n    if ({} < {}) {{\n", name, w.spelling(node.less),
+                             w.spelling(node.than));
+        const std::string a = write(node.a, place);
+        body_ += fmt::format("    {} = {};\n    }} else {{\n", name, a);
+        const std::string b = write(node.b, place);
+        body_ += fmt::format("    {} = {};\n    }}\n", name, b);
+        return {};
+    }
+    std::string answer(FieldId id, const field::Blend&, const Place& place, std::string&) {
+        const std::size_t i = blend_++;
+        const OuterBlend& blend = code_.plan.blends[i];
+        object_ += leaves(code_.field, id).size();
+        const std::string inverse =
+            code_.values.bound({FieldValue::What::inverse_lipschitz, id, blend.cells});
+        body_ += fmt::format("    int k{0};\n    real f{0} = blend_{0}({1}, {2}, k{0});\n", i,
+                             place.p, place.d);
+        return fmt::format("blend_answer(f{0}, {1}, {2}, k{0})", i, inverse,
+                           blend.escapes ? "4.0" : "1.0");
+    }
+    std::string answer(FieldId id, const field::Cells& node, const Place& place, std::string&) {
+        const int number = cells_++;
+        const std::size_t function = code_.plan.cells_number(id);
+        body_ += fmt::format(
+            "    real3 q{0}, e{0};\n    real w{0};\n    cell_{1}({2}, {3}, q{0}, e{0}, w{0});\n",
+            number, function, place.p, place.d);
+        if (kind_of(code_.field, node.a) == field::Kind::sheet) {
+            body_ += fmt::format("    here_{} = cell_index_{}({});\n", number, function, place.p);
+        }
+        Place inside{fmt::format("q{}", number), fmt::format("e{}", number), place.cells};
+        inside.cells.push_back(number);
+        return fmt::format("answer_cell({}, w{})", write(node.a, inside), number);
+    }
+
+    FieldCode& code_;
+    std::string body_;
+    std::vector<int> watched_;
+    std::size_t object_ = 0, blend_ = 0;
+    int count_ = 0, cells_ = 0;
+};
+
+void write_sides(FieldCode& code, const std::vector<int>& watched_cells) {
+    std::string start, accept;
+    for (std::size_t i = 0; i < code.plan.objects.size(); ++i) {
+        if (!code.is_sheet(i)) continue;
+        start += fmt::format("    side_{} = 0.0;\n", i);
+        accept += fmt::format("    side_{0} = now_{0};\n", i);
+    }
+    for (const int cell : watched_cells) {
+        code.out.code += fmt::format("real3 here_{0} = real3(0.0), before_{0} = here_{0};\n", cell);
+        accept += fmt::format("    before_{0} = here_{0};\n", cell);
+    }
+    code.out.code += fmt::format("void field_start() {{\n{}}}\n", start);
+    code.out.code += fmt::format("void field_accept() {{\n{}}}\n", accept);
+}
+
+}  // namespace
+
+void write_tree(FieldCode& code, bool count_evaluations) {
+    TreeWriter tree(code);
+    const std::string root = tree.write(code.field.root, {});
+    write_sides(code, tree.watched_cells());
+    code.out.code += fmt::format(
+        "{}Answer field(real3 p, real3 d) {{\n"
+        "    zs_undefined = 0;\n"
+        "    zs_guess = false;\n"
+        "    zs_point = p;\n"
+        "{}{}    return {};\n"
+        "}}\n",
+        count_evaluations ? "int zs_evaluations = 0;\n" : "",
+        count_evaluations ? "    ++zs_evaluations;\n" : "", tree.body(), root);
+}
+
+}  // namespace shader
