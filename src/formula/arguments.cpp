@@ -149,7 +149,8 @@ void lower_arguments(Lowering& lowering, const Call& call) {
 std::optional<std::vector<graph::NodeId>> uniform_components(Lowering& lowering, const Call& call,
                                                              std::string_view argument,
                                                              ExpressionId id,
-                                                             std::size_t components) {
+                                                             std::size_t components,
+                                                             bool may_be_one) {
     const std::string subject = fmt::format("the argument '{}' of '{}'", argument, call.function);
     const Value value = lower_expression(lowering, id);
     if (is_nothing(value) || report_function(lowering, lowering.span(id), value)) {
@@ -164,7 +165,7 @@ std::optional<std::vector<graph::NodeId>> uniform_components(Lowering& lowering,
                                          components == 1 ? "number" : "tuple"));
         return std::nullopt;
     }
-    if (parts.size() != components) {
+    if (parts.size() != components && !(may_be_one && parts.size() == 1)) {
         lowering.error(span, components == 1 ? fmt::format("{} is one number, not a tuple", subject)
                                              : fmt::format("{} is a tuple of {} numbers, not {}",
                                                            subject, components, parts.size()));

@@ -35,10 +35,12 @@ std::optional<Bound> bind_to_user_function(Lowering& lowering, const Call& call,
 void lower_arguments(Lowering& lowering, const Call& call);
 
 /// The components of an argument that is the same at every point, as nodes: exactly `components`,
-/// one is written as a number and more as a tuple. Constants must be finite.
+/// one is written as a number and more as a tuple; a single number in place of a tuple too if that
+/// `may_be_one`. Constants must be finite.
 std::optional<std::vector<graph::NodeId>> uniform_components(Lowering& lowering, const Call& call,
                                                              std::string_view argument,
                                                              ExpressionId value,
-                                                             std::size_t components);
+                                                             std::size_t components,
+                                                             bool may_be_one = false);
 
 }  // namespace formula

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "formula/apply.h"
+
 namespace formula {
 
 using graph::NodeId;
@@ -40,8 +44,10 @@ std::optional<NodeId> CombinationArguments::number(std::size_t slot) const {
 }
 
 std::optional<std::vector<NodeId>> CombinationArguments::components(std::size_t slot,
-                                                                    std::size_t count) const {
-    auto parts = uniform_components(lowering_, call_, slots_[slot].name, *bound_[slot], count);
+                                                                    std::size_t count,
+                                                                    bool may_be_one) const {
+    auto parts = uniform_components(lowering_, call_, slots_[slot].name, *bound_[slot], count,
+                                    may_be_one);
     if (!parts) return std::nullopt;
     for (NodeId& part : *parts) part = folded(lowering_, part);
     return parts;
@@ -58,13 +64,53 @@ std::optional<NodeId> CombinationArguments::uniform(std::size_t slot,
 std::optional<NodeId> CombinationArguments::positive(std::size_t slot,
                                                      std::optional<double> initial) const {
     const std::optional<NodeId> number = uniform(slot, initial);
-    if (!number) return std::nullopt;
+    if (!number || !is_positive(slot, *number)) return std::nullopt;
+    return number;
+}
+
+bool CombinationArguments::is_positive(std::size_t slot, NodeId number) const {
     const graph::Graph& graph = lowering_.field.graph;
-    if (graph.is_constant(*number) && !(graph[*number].value > 0)) {
-        error(slot, "must be above 0");
+    if (!graph.is_constant(number) || graph[number].value > 0) return true;
+    error(slot, "must be above 0");
+    return false;
+}
+
+std::optional<std::vector<NodeId>> CombinationArguments::one_or_three(std::size_t slot) const {
+    auto parts = components(slot, 3, true);
+    if (!parts) return std::nullopt;
+    for (const NodeId part : *parts) {
+        if (!is_positive(slot, part)) return std::nullopt;
+    }
+    return parts;
+}
+
+std::optional<Vector> CombinationArguments::direction(std::size_t slot) const {
+    const std::optional<Vector> parts = vector(slot);
+    if (!parts) return std::nullopt;
+    const graph::Graph& graph = lowering_.field.graph;
+    if (std::ranges::all_of(*parts, [&](NodeId id) { return graph.is_constant(id, 0); })) {
+        lowering_.error(span(slot), fmt::format("the {} of '{}' must not be zero",
+                                                slots_[slot].name, call_.function));
         return std::nullopt;
     }
-    return number;
+    return parts;
+}
+
+std::optional<Vector> CombinationArguments::map(std::size_t slot) const {
+    const auto function = as_function(lowering_, *bound_[slot], "a map of space");
+    if (!function) return std::nullopt;
+    const field::Point here = field::coordinates(lowering_.field.graph);
+    const VectorValue point{Algebra::vector, {here.begin(), here.end()}, {}};
+    const Value there = apply(lowering_, *function, span(slot), std::array<Value, 1>{point});
+    if (is_nothing(there)) return std::nullopt;
+    const auto* vector = std::get_if<VectorValue>(&there);
+    if (!vector || vector->components.size() != 3) {
+        lowering_.error(span(slot),
+                        fmt::format("a map of space must give a vector of 3, not {}",
+                                    describe(there)));
+        return std::nullopt;
+    }
+    return Vector{vector->components[0], vector->components[1], vector->components[2]};
 }
 
 std::optional<Vector> CombinationArguments::vector(std::size_t slot) const {

@@ -40,13 +40,15 @@ public:
                                           std::optional<double> initial = {}) const;
     /// Three numbers that do not depend on the point.
     std::optional<Vector> vector(std::size_t slot) const;
+    /// The same, not all 0: an axis, a normal.
+    std::optional<Vector> direction(std::size_t slot) const;
+    /// One number or three that do not depend on the point; all above 0.
+    std::optional<std::vector<graph::NodeId>> one_or_three(std::size_t slot) const;
+    /// What a function that the user wrote makes of the point.
+    std::optional<Vector> map(std::size_t slot) const;
 
     /// Reports what is wrong with an argument; `message` follows "the argument '...' of '...'".
     void error(std::size_t slot, std::string_view message) const;
-
-    bool is_constant(graph::NodeId id, double value) const {
-        return lowering_.field.graph.is_constant(id, value);
-    }
 
 private:
     CombinationArguments(Lowering& lowering, const Call& call, std::span<const Slot> slots,
@@ -54,7 +56,9 @@ private:
         : lowering_(lowering), call_(call), slots_(slots), bound_(std::move(bound)) {}
 
     std::string subject(std::size_t slot) const;
-    std::optional<std::vector<graph::NodeId>> components(std::size_t slot, std::size_t count) const;
+    std::optional<std::vector<graph::NodeId>> components(std::size_t slot, std::size_t count,
+                                                         bool may_be_one = false) const;
+    bool is_positive(std::size_t slot, graph::NodeId number) const;
 
     Lowering& lowering_;
     const Call& call_;

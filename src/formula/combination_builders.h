@@ -27,5 +27,11 @@ Value build_morph(Lowering&, const Call&);
 Value build_translate(Lowering&, const Call&);
 Value build_rotate(Lowering&, const Call&);
 Value build_scale(Lowering&, const Call&);
+Value build_mirror(Lowering&, const Call&);
+Value build_twist(Lowering&, const Call&);
+Value build_bend(Lowering&, const Call&);
+Value build_map(Lowering&, const Call&);
+Value build_repeat(Lowering&, const Call&);
+Value build_repeat_polar(Lowering&, const Call&);
 
 }  // namespace formula

@@ -9,12 +9,17 @@ namespace formula {
 namespace {
 
 constexpr Combination table[] = {
+    {"bend", "bend(F, curvature)", build_bend},
     {"complement", "complement(F)", build_complement},
     {"difference", "difference(F, G)", build_difference},
     {"displace", "displace(F, by)", build_displace},
     {"intersection", "intersection(F, G, ...)", build_intersection},
+    {"map", "map(F, m)", build_map},
+    {"mirror", "mirror(F, (nx, ny, nz), d = 0)", build_mirror},
     {"morph", "morph(F, G, t)", build_morph},
     {"offset", "offset(F, d)", build_offset},
+    {"repeat", "repeat(F, (cx, cy, cz), count = (nx, ny, nz))", build_repeat},
+    {"repeat_polar", "repeat_polar(F, n)", build_repeat_polar},
     {"rotate", "rotate(F, (nx, ny, nz), degrees)", build_rotate},
     {"scale", "scale(F, factor)", build_scale},
     {"shell", "shell(F, thickness = 0.1)", build_shell},
@@ -24,6 +29,7 @@ constexpr Combination table[] = {
     {"smooth_union_exp", "smooth_union_exp(F, G, k = 8)", build_smooth_union_exp},
     {"smooth_union_power", "smooth_union_power(F, G, p = 4)", build_smooth_union_power},
     {"translate", "translate(F, (dx, dy, dz))", build_translate},
+    {"twist", "twist(F, angle)", build_twist},
     {"union", "union(F, G, ...)", build_union},
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moving, turning and scaling a field, by the inverse map of its points. Internal to the library.
+// Moving, turning, scaling and bending a field, by the inverse map of its points. Internal to the library.
 #pragma once
 
 #include <array>
@@ -19,5 +19,13 @@ field::FieldId rotate(field::Field& field, field::FieldId id, const Vector& axis
 
 /// By the same factor > 0 in all directions.
 field::FieldId scale(field::Field& field, field::FieldId id, graph::NodeId factor);
+
+/// By a factor > 0 for each coordinate. Distances become bounds: multiplied by the least factor.
+field::FieldId scale(field::Field& field, field::FieldId id, const Vector& factors);
+
+/// Turned about the z axis by half of the curvature times x: what lies along the x axis bends
+/// towards y, at the origin with this curvature. (The chord of an arc is turned by half of the
+/// arc's angle; here x stands for the arc's length.)
+field::FieldId bend(field::Field& field, field::FieldId id, graph::NodeId curvature);
 
 }  // namespace formula

@@ -2,6 +2,7 @@
 // Lowers `if(condition, u, v)`.
 #include <fmt/format.h>
 
+#include "field/blends.h"
 #include "formula/arithmetic.h"
 #include "formula/condition.h"
 
@@ -27,6 +28,20 @@ Value choose_vector(Lowering& lowering, const Condition& condition, Algebra alge
         result.components.push_back(select(lowering, condition, a.components[i], b.components[i]));
     }
     return result;
+}
+
+Value choose_field(Lowering& lowering, const Call& call, const Condition& condition,
+                   const FieldValue& a, const FieldValue& b) {
+    graph::Graph& graph = lowering.field.graph;
+    const NodeId sign = sign_of(lowering, condition);
+    if (lowering.facts.depends_on_point(graph, sign)) {
+        lowering.error(lowering.span(call.arguments[0]),
+                       "the condition of 'if' between fields must be the same at every point; "
+                       "write '(A & F) | (B \\ F)'");
+        return Nothing{};
+    }
+    return FieldValue{field::choose(lowering.field, graph.constant(0), sign, a.id, b.id),
+                      a.objects + b.objects};
 }
 
 }  // namespace
@@ -56,8 +71,8 @@ Value lower_if(Lowering& lowering, const Call& call) {
         }
     }
     if (std::holds_alternative<FieldValue>(yes) && std::holds_alternative<FieldValue>(no)) {
-        lowering.error(call.name, "'if' cannot choose between fields; write '(A & F) | (B \\ F)'");
-        return Nothing{};
+        return choose_field(lowering, call, *condition, std::get<FieldValue>(yes),
+                            std::get<FieldValue>(no));
     }
     lowering.error(call.name, fmt::format("both choices of 'if' must be of one type, not {} and {}",
                                           describe(yes), describe(no)));

@@ -19,19 +19,6 @@ bool is_constant(const Graph& graph, const Direction& vector) {
            graph.is_constant(vector[2]);
 }
 
-Direction unit(Graph& graph, const Direction& axis) {
-    Direction result{};
-    if (is_constant(graph, axis)) {
-        const double length =
-            std::hypot(graph[axis[0]].value, graph[axis[1]].value, graph[axis[2]].value);
-        for (int i = 0; i < 3; ++i) result[i] = graph.constant(graph[axis[i]].value / length);
-        return result;
-    }
-    const NodeId length = graph.apply(Op::hypot3, axis[0], axis[1], axis[2]);
-    for (int i = 0; i < 3; ++i) result[i] = graph.apply(Op::div, axis[i], length);
-    return result;
-}
-
 struct Angle {
     NodeId cosine{}, sine{};
 };
@@ -59,6 +46,19 @@ Angle angle(Graph& graph, NodeId degrees) {
 }
 
 }  // namespace
+
+Direction unit(Graph& graph, const Direction& axis) {
+    Direction result{};
+    if (is_constant(graph, axis)) {
+        const double length =
+            std::hypot(graph[axis[0]].value, graph[axis[1]].value, graph[axis[2]].value);
+        for (int i = 0; i < 3; ++i) result[i] = graph.constant(graph[axis[i]].value / length);
+        return result;
+    }
+    const NodeId length = graph.apply(Op::hypot3, axis[0], axis[1], axis[2]);
+    for (int i = 0; i < 3; ++i) result[i] = graph.apply(Op::div, axis[i], length);
+    return result;
+}
 
 std::array<NodeId, 3> turned(Graph& graph, const std::array<NodeId, 3>& point,
                              const Direction& axis, NodeId degrees, Sense sense) {

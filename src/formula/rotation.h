@@ -11,6 +11,9 @@ namespace formula {
 /// An axis of any length but 0.
 using Direction = std::array<graph::NodeId, 3>;
 
+/// The axis with the length 1.
+Direction unit(graph::Graph& graph, const Direction& axis);
+
 enum class Sense { forward, inverse };
 
 /// The point turned about an axis by an angle in degrees, counter-clockwise where the axis points
