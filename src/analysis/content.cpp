@@ -93,10 +93,22 @@ void ContentFinder::prepare(FieldId id) {
         poles_.push_back(may_have_poles(field_.graph, std::span(&leaf->value, 1)));
     } else if (const auto* iteration = std::get_if<field::Iteration>(&node)) {
         if (!loops_.contains(id)) prepare(*iteration, id);
-    } else if (const auto* smooth = std::get_if<field::SmoothUnion>(&node)) {
-        widths_.try_emplace(id, number(smooth->k));
+    } else if (const auto* cells = std::get_if<field::Cells>(&node)) {
+        return prepare(*cells, id);
+    } else if (const std::vector<NodeId> own = field::expressions(node); !own.empty()) {
+        const eval::Tape& tape = tapes_[id] = eval::make_tape(field_.graph, own);
+        operations_ += tape.instructions.size();
     }
     for (const FieldId child : field::children(node)) prepare(child);
+}
+
+/// What is in the cells sees other coordinates, and nothing of what is around them.
+void ContentFinder::prepare(const field::Cells& cells, FieldId id) {
+    std::vector<double> parameters;
+    for (const Interval& it : parameters_) parameters.push_back(it.lo);
+    inside_[id] = std::make_unique<ContentFinder>(field_, cells.a, parameters);
+    const eval::Tape& tape = tapes_[id] = eval::make_tape(field_.graph, cells.point);
+    operations_ += tape.instructions.size() + inside_[id]->operations();
 }
 
 std::span<const Interval> ContentFinder::run(const eval::Tape& tape) {
@@ -158,13 +170,33 @@ struct ContentFinder::Visitor {
         const bool sheet = (a.sheet && !b.proven_empty()) || (b.sheet && !a.proven_empty());
         return {numeric::max(a.solid, b.solid), sheet};
     }
-    Content operator()(const field::SmoothUnion& node) const {
+    Content operator()(const field::Blend& node) const {
+        for (std::size_t i = 0; i < node.operands.size(); ++i) {
+            const Interval value = finder.content(node.operands[i]).solid;
+            const auto nearer = [](double end) {
+                return std::clamp(end, -field::unknown_depth, field::unknown_depth);
+            };
+            finder.variables_[index(node.values[i])] = {nearer(value.lo), nearer(value.hi)};
+        }
+        const std::span<const Interval> roots = finder.run(finder.tapes_.at(id));
+        Interval value = roots[0];
+        if (node.displacement) value = numeric::add(value, solid_value(roots[1], true));
+        return {solid_value(value, true), false};
+    }
+    Content operator()(const field::Choice& node) const {
+        const std::span<const Interval> sides = finder.run(finder.tapes_.at(id));
+        const Interval less = sides[0], than = sides[1];
+        if (less.hi < than.lo) return finder.content(node.a);
+        if (less.lo >= than.hi) return finder.content(node.b);
         const Content a = finder.content(node.a), b = finder.content(node.b);
-        Interval value = numeric::min(a.solid, b.solid);
-        const double k = finder.widths_.at(id);
-        // At most a quarter of the width below the minimum, where both are equal.
-        if (k > 0) value.lo = numeric::add_down(value.lo, -0.25 * k);
-        return {value, a.sheet || b.sheet};
+        return {both(a.solid, b.solid), a.sheet || b.sheet};
+    }
+    Content operator()(const field::Cells& node) const {
+        const std::span<const Interval> point = finder.run(finder.tapes_.at(id));
+        if (std::ranges::any_of(point, [](const Interval& it) { return it.partial; })) {
+            return {Interval::whole(), kind_of(finder.field_, node.a) == field::Kind::sheet};
+        }
+        return finder.inside_.at(id)->over(std::array{point[0], point[1], point[2]});
     }
 };
 

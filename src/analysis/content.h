@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,7 @@ private:
 
     void prepare(field::FieldId id);
     void prepare(const field::Iteration& iteration, field::FieldId id);
+    void prepare(const field::Cells& cells, field::FieldId id);
     std::span<const numeric::Interval> run(const eval::Tape& tape);
     double number(graph::NodeId id);
     numeric::Interval follow(const Loop& loop);
@@ -60,7 +62,10 @@ private:
     std::vector<bool> poles_;              ///< of each of them
     std::map<field::FieldId, std::size_t> formula_of_;
     std::map<field::FieldId, Loop> loops_;
-    std::map<field::FieldId, double> widths_;
+    /// Of a blend: its value, its displacement if there is one; of a choice both sides of the
+    /// condition; of cells the point within.
+    std::map<field::FieldId, eval::Tape> tapes_;
+    std::map<field::FieldId, std::unique_ptr<ContentFinder>> inside_;  ///< cells, by their node
     eval::Tape formula_tape_;
     std::size_t operations_ = 0;
 

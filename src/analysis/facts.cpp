@@ -7,6 +7,7 @@
 
 #include "analysis/derivative_bounds.h"
 #include "analysis/polynomial_degree.h"
+#include "field/map_domain.h"
 #include "field/parts.h"
 
 namespace analysis {
@@ -71,6 +72,8 @@ private:
         if (std::holds_alternative<field::Iteration>(field_[id])) {
             return of_iteration(std::get<field::Iteration>(field::shape(field_, id)), of);
         }
+        // Across the walls of cells anything may happen.
+        if (has_cells(field_, id)) return {Smoothness::discontinuous, true};
         const std::vector<FieldId> objects = leaves(field_, id);
         Regularity worst{objects.size() > 1 ? Smoothness::piecewise : Smoothness::smooth, false};
         for (const FieldId object : objects) worst = worse(worst, regularity_of(object));

@@ -24,8 +24,8 @@ double stretch_bound(const Matrix<numeric::Interval>& a);
 /// At least the Lipschitz constant of a map over the region. +infinity if no bound was found, also
 /// where the map may be undefined or jump. The roots of the map are its three components. A fourth
 /// is an angle: the map goes to the components and then turns about the z axis by minus the angle.
-/// Its Jacobian is a turn, which stretches nothing, of J + (y, -x, 0) (grad angle)^T with J, x and y
-/// of the components, and that is bounded more sharply. `parameters` is indexed by ParameterId.
+/// Its Jacobian is a turn, which stretches nothing, of J + (y, -x, 0) (grad angle)^T with J, x and
+/// y of the components, and that is bounded more sharply. `parameters` is indexed by ParameterId.
 double jacobian_norm_bound(const eval::Tape& map, const Region& region,
                            std::span<const double> parameters, const Effort& effort = {});
 

@@ -15,7 +15,8 @@
 
 namespace compile {
 
-/// Of a distortion: the image, with the turn as a fourth root if there is one, and the displacement.
+/// Of a distortion: the image, with the turn as a fourth root if there is one, and the
+/// displacement.
 struct DistortionTapes {
     eval::Tape image;
     std::optional<eval::Tape> displacement;
@@ -24,9 +25,9 @@ struct DistortionTapes {
 /// What the bounds of a field are found from, by node; made once for a field, good for all values
 /// of its parameters.
 struct BoundTapes {
-    std::map<field::FieldId, eval::Tape> formulas;        ///< that are no distances
+    std::map<field::FieldId, eval::Tape> formulas;                       ///< that are no distances
     std::map<field::FieldId, std::vector<DistortionTapes>> distortions;  ///< of leaves
-    std::map<field::FieldId, eval::Tape> displacements;   ///< of blends
+    std::map<field::FieldId, eval::Tape> displacements;                  ///< of blends
     std::map<field::FieldId, std::array<eval::Tape, 3>> cells;           ///< their points
 };
 

@@ -122,6 +122,7 @@ FieldId displace(Field& field, FieldId a, NodeId by) {
         return whole;
     }
     Formula result = *formula;
+    result.exact = false;
     if (result.metric == Metric::distance) {
         result.metric = Metric::scalar;
         result.distortions = {Distortion{{coordinates(field.graph)}, {}}};

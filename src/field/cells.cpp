@@ -22,7 +22,7 @@ Expr nearest_whole(Expr number) { return floor(number + 0.5); }
 
 /// One direction of a grid.
 struct Axis {
-    Expr inside;            ///< the coordinate within the cell
+    Expr inside;  ///< the coordinate within the cell
     Expr index;
     Expr to_upper, to_lower;  ///< ways to the walls
 };
@@ -53,9 +53,9 @@ FieldId repeat(Field& field, FieldId a, const Point& cell, const std::optional<P
         const Expr x(g, cells.point[i]), given(g, cell[i]);
         const bool known = g.is_constant(cell[i]);
         const Expr size = known ? given : max(given, least_size);
-        const Expr half = known ? given * 0.5
-                                : select_less(Expr(g, least_size), given, given * 0.5,
-                                              Expr(g, no_wall));
+        const Expr half =
+            known ? given * 0.5
+                  : select_less(Expr(g, least_size), given, given * 0.5, Expr(g, no_wall));
         const Axis axis =
             count ? counted(x, size, half, max(nearest_whole(Expr(g, (*count)[i])), 1.0))
                   : endless(x, size, half);
@@ -100,11 +100,9 @@ FieldId mirror(Field& field, FieldId a, const Point& unit, NodeId d) {
         if (g.is_constant(unit[i], 0)) continue;
         mirrored[i] = (Expr(g, here[i]) + Expr(g, unit[i]) * move).id;
     }
-    if (!has_cells(field, a)) return map_domain(field, a, mirrored, g.constant(1));
-    return field.add(Cells{.a = a,
-                           .point = mirrored,
-                           .walls = {abs(in_front).id},
-                           .index = {sign(in_front).id}});
+    if (!has_cells(field, a)) return bound_domain(field, a, mirrored, g.constant(1));
+    return field.add(Cells{
+        .a = a, .point = mirrored, .walls = {abs(in_front).id}, .index = {sign(in_front).id}});
 }
 
 }  // namespace field

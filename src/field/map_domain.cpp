@@ -21,6 +21,7 @@ struct Mapping {
     std::optional<NodeId> stretch;  ///< of a similarity; of others:
     Image image{};                  ///< what the map is for distortions
     bool scalars = false;           ///< whether scalars are multiplied like distances
+    bool exact = true;              ///< whether a distance stays one
 
     void substitute(std::vector<NodeId*> places) const {
         const std::array<std::pair<graph::VariableId, NodeId>, 3> replacements{
@@ -54,6 +55,7 @@ struct Mapping {
     // What is left to do after the expressions are composed with the map. A distance is multiplied;
     // a scalar keeps its value, whose sign is all that counts, unless it is made of distances.
     void finish(Formula& leaf) const {
+        leaf.exact = leaf.exact && exact && stretch;
         if (leaf.metric == Metric::distance && !stretch) {
             leaf.metric = Metric::scalar;
             leaf.distortions = {Distortion{image, {}}};
@@ -87,7 +89,7 @@ struct Mapping {
 
 void Mapping::finish(Blend& node) const {
     // All operands are multiplied alike, so that they compare as before.
-    const Mapping all{field, point, stretch, image, true};
+    const Mapping all{field, point, stretch, image, true, exact};
     for (FieldId& operand : node.operands) operand = all(operand);
     if (!stretch || field.graph.is_constant(*stretch, 1)) return;
     // What the blend adds and compares with belongs to values before they were multiplied.
@@ -116,6 +118,10 @@ void Mapping::finish(Cells& node) const {
 
 FieldId map_domain(Field& field, FieldId id, const Point& point, NodeId stretch) {
     return Mapping{field, point, stretch, {}, false}(id);
+}
+
+FieldId bound_domain(Field& field, FieldId id, const Point& point, NodeId stretch) {
+    return Mapping{field, point, stretch, {}, false, false}(id);
 }
 
 FieldId distort_domain(Field& field, FieldId id, const Point& point) {

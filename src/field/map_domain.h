@@ -8,9 +8,12 @@ namespace field {
 
 /// Through a similarity: `point` are expressions of the point, and distances are multiplied by
 /// `stretch` (independent of the point), the factor that makes a distance at the new point a
-/// distance again, 1 for isometries, a for `x / a`. Also where `stretch` is only that small that
-/// distances become bounds of distances, if no Cells are below.
+/// distance again, 1 for isometries, a for `x / a`.
 FieldId map_domain(Field& field, FieldId id, const Point& point, graph::NodeId stretch);
+
+/// The same where `stretch` times the Lipschitz constant of the map is at most 1: distances become
+/// bounds of distances. Not with Cells below.
+FieldId bound_domain(Field& field, FieldId id, const Point& point, graph::NodeId stretch);
 
 /// Through any map. Distances keep their values and remember what they were distorted by. Cells are
 /// composed with the map: steps near their walls are then heuristic.

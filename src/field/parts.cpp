@@ -93,6 +93,7 @@ std::vector<NodeId> expressions(const Node& node) {
 Node shape(const Field& field, FieldId id) {
     Node node = field[id];
     if (auto* formula = std::get_if<Formula>(&node)) formula->colour.reset();
+    if (auto* cells = std::get_if<Cells>(&node)) cells->colour.reset();
     auto* iteration = std::get_if<Iteration>(&node);
     if (!iteration) return node;
     const std::vector<bool> needed =

@@ -46,8 +46,8 @@ std::optional<NodeId> CombinationArguments::number(std::size_t slot) const {
 std::optional<std::vector<NodeId>> CombinationArguments::components(std::size_t slot,
                                                                     std::size_t count,
                                                                     bool may_be_one) const {
-    auto parts = uniform_components(lowering_, call_, slots_[slot].name, *bound_[slot], count,
-                                    may_be_one);
+    auto parts =
+        uniform_components(lowering_, call_, slots_[slot].name, *bound_[slot], count, may_be_one);
     if (!parts) return std::nullopt;
     for (NodeId& part : *parts) part = folded(lowering_, part);
     return parts;
@@ -105,9 +105,8 @@ std::optional<Vector> CombinationArguments::map(std::size_t slot) const {
     if (is_nothing(there)) return std::nullopt;
     const auto* vector = std::get_if<VectorValue>(&there);
     if (!vector || vector->components.size() != 3) {
-        lowering_.error(span(slot),
-                        fmt::format("a map of space must give a vector of 3, not {}",
-                                    describe(there)));
+        lowering_.error(span(slot), fmt::format("a map of space must give a vector of 3, not {}",
+                                                describe(there)));
         return std::nullopt;
     }
     return Vector{vector->components[0], vector->components[1], vector->components[2]};

@@ -45,7 +45,7 @@ field::FieldId scale(field::Field& field, field::FieldId id, const Vector& facto
     if (field::has_cells(field, id)) return field::distort_domain(field, id, shrunk);
     NodeId least = graph.apply(graph::Op::min, factors[0], factors[1]);
     least = graph.apply(graph::Op::min, least, factors[2]);
-    return field::map_domain(field, id, shrunk, least);
+    return field::bound_domain(field, id, shrunk, least);
 }
 
 field::FieldId bend(field::Field& field, field::FieldId id, NodeId curvature) {

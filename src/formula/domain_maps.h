@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Moving, turning, scaling and bending a field, by the inverse map of its points. Internal to the library.
+// Moving, turning, scaling and bending a field, by the inverse map of its points. Internal to the
+// library.
 #pragma once
 
 #include <array>

@@ -49,7 +49,7 @@ TEST(Dependence, on_time_is_told_apart_from_parameters) {
 TEST(Dependence, of_a_tree_is_that_of_all_below) {
     Scene s;
     const FieldId a = s.solid(s.x * s.parameter(s.q)), b = s.solid(s.y + s.parameter(s.p));
-    const FieldId blended = s.field.add(field::SmoothUnion{a, b, s.time.id});
+    const FieldId blended = s.field.add(field::Choice{s.time.id, s.time.id, a, b});
     const Dependence found = dependence(s.field, s.field.add(field::Complement{blended}));
     EXPECT_EQ(found.point, (std::array{true, true, false}));
     EXPECT_TRUE(found.time);

@@ -91,7 +91,8 @@ TEST(JacobianNorm, of_a_twist_is_that_of_the_known_formula) {
     for (const double k : {0.3, 1.0, 3.0}) {
         Map m;
         const double bound = jacobian_norm_bound(
-            eval::make_tape(m.graph, std::array{m.x.id, m.y.id, m.z.id, (k * m.z).id}), ball, std::array{0.0});
+            eval::make_tape(m.graph, std::array{m.x.id, m.y.id, m.z.id, (k * m.z).id}), ball,
+            std::array{0.0});
         const double exact = (2 * k + std::sqrt(4 * k * k + 4)) / 2;
         EXPECT_GE(bound, exact) << k;
         EXPECT_LE(bound, 1.08 * exact) << k;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "field/blends.h"
+#include "field/palette.h"
 #include "field/shapes.h"
 #include "graph/build.h"
 #include "numeric/real.h"
@@ -76,8 +78,10 @@ TEST(Metric, of_joined_fields_is_a_bound_at_best) {
     const FieldId both = field.add(field::Union{a, b});
     EXPECT_EQ(metric_of(field, both, 9), Metric::bound);
     EXPECT_EQ(metric_of(field, field.add(field::Intersection{a, b}), 9), Metric::bound);
-    EXPECT_EQ(metric_of(field, field.add(field::SmoothUnion{a, b, field.graph.constant(1)}), 9),
+    const FieldId red = field::coloured(field, a, field::coordinates(field.graph));
+    EXPECT_EQ(metric_of(field, smooth_union(field, red, b, field.graph.constant(1)), 9),
               Metric::bound);
+    EXPECT_EQ(metric_of(field, displace(field, b, field.graph.constant(1)), 9), Metric::none);
     EXPECT_EQ(metric_of(field, field.add(field::Complement{a}), 9), Metric::exact);
     EXPECT_EQ(metric_of(field, field.add(field::Union{both, none}), 9), Metric::none);
     EXPECT_EQ(metric_of(field, field.add(field::Union{both, none}), 1), Metric::bound);

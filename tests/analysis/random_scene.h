@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "eval/random_expression.h"
-#include "field/field.h"
+#include "field/blends.h"
+#include "field/palette.h"
 
 namespace analysis {
 
@@ -41,6 +42,11 @@ struct RandomScene {
     }
 
 private:
+    /// A colour, so that formulas are blended and not composed.
+    field::Colour red() {
+        return {field.graph.constant(1), field.graph.constant(0), field.graph.constant(0)};
+    }
+
     field::Node join(eval::Random& random, field::FieldId a, field::FieldId b, bool sheets) {
         switch (sheets ? 0 : random() % 3) {
             case 0:
@@ -48,7 +54,8 @@ private:
             case 1:
                 return field::Intersection{a, b};
             default:
-                return field::SmoothUnion{a, b, field.graph.constant(0.5)};
+                return field[field::smooth_union(field, field::coloured(field, a, red()), b,
+                                                 field.graph.constant(0.5))];
         }
     }
 };

@@ -58,13 +58,13 @@ TEST(Parts, of_a_shape_leave_out_what_only_the_colour_needs) {
 
 TEST(Parts, below_a_node_are_its_children) {
     Field field;
+    const graph::NodeId zero = field.graph.constant(0), one = field.graph.constant(1);
     const FieldId a = add_primitive(field, "sphere", {1}), b = add_primitive(field, "sphere", {2});
     EXPECT_TRUE(children(field[a]).empty());
     EXPECT_EQ(children(Union{a, b}), (std::vector{a, b}));
     EXPECT_EQ(children(Complement{b}), std::vector{b});
-    EXPECT_EQ(children(SmoothUnion{a, b, field.graph.constant(1)}), (std::vector{a, b}));
-    EXPECT_EQ(expressions(SmoothUnion{a, b, field.graph.constant(1)}),
-              std::vector{field.graph.constant(1)});
+    EXPECT_EQ(children(Choice{zero, one, a, b}), (std::vector{a, b}));
+    EXPECT_EQ(expressions(Choice{zero, one, a, b}), (std::vector{zero, one}));
 }
 
 }  // namespace

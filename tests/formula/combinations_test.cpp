@@ -103,8 +103,106 @@ TEST(Combinations, scale_keeps_distances) {
     EXPECT_DOUBLE_EQ(value_at("scale(x = 1, 3)", {3, 0, 0}), 0);
     check("scale(sphere(1), 0)", "1:18: the argument 'factor' of 'scale' must be above 0");
     check("scale(sphere(1), 1 - 2)", "1:18: the argument 'factor' of 'scale' must be above 0");
-    check("scale(sphere(1), (1, 2, 3))",
-          "1:18: the argument 'factor' of 'scale' is one number, not a tuple");
+    check("scale(sphere(1), (1, 2))",
+          "1:18: the argument 'factor' of 'scale' is a tuple of 3 numbers, not 2");
+    check("scale(sphere(1), (1, 0, 3))", "1:18: the argument 'factor' of 'scale' must be above 0");
+}
+
+TEST(Combinations, scale_by_coordinates_gives_a_bound) {
+    EXPECT_DOUBLE_EQ(value_at("scale(sphere(1), (2, 0.5, 1))", {4, 0, 0}), 0.5);
+    EXPECT_DOUBLE_EQ(value_at("scale(sphere(1), (2, 0.5, 1))", {0, 1, 0}), 0.5);
+    EXPECT_DOUBLE_EQ(value_at("param a = 2\nscale(x = 1, (a, 1, 1))", {4, 0, 0}), 1);
+}
+
+TEST(Combinations, blends_are_those_of_the_values) {
+    EXPECT_NEAR(value_at("smooth_union_exp(sphere(1), sphere(1), k = 2)", {3, 0, 0}),
+                2 - std::log(2.0) / 2, 1e-14);
+    EXPECT_NEAR(value_at("smooth_union_power(sphere(1), sphere(1), p = 2)", {3, 0, 0}),
+                std::sqrt(2.0), 1e-14);
+    EXPECT_DOUBLE_EQ(value_at("smooth_intersection(sphere(1), sphere(1), 0.4)", {3, 0, 0}), 2.1);
+    EXPECT_DOUBLE_EQ(value_at("smooth_difference(sphere(1), sphere(9), k = 0.4)", {3, 0, 0}), 6);
+    EXPECT_DOUBLE_EQ(value_at("offset(sphere(1), d = 0.5)", {3, 0, 0}), 1.5);
+    EXPECT_DOUBLE_EQ(value_at("shell(sphere(1), thickness = 0.5)", {0, 0, 0}), 0.75);
+    EXPECT_DOUBLE_EQ(value_at("displace(sphere(1), x/4)", {3, 0, 0}), 2.75);
+    EXPECT_DOUBLE_EQ(value_at("morph(sphere(1), sphere(2), 0.25)", {3, 0, 0}), 1.75);
+    check("offset(x = 1, 0.1)", "1:8: only solids have an offset; write '<=' instead of '='");
+    check("shell(x = 1)", "1:7: only solids have a shell; write '<=' instead of '='");
+    check("displace(x, y)",
+          "1:10: only solids can be displaced; write 'F <= 0' for the solid of a formula F");
+    check("morph(sphere(1), x = 0, 0.5)",
+          "1:18: only solids can be blended; write '<=' instead of '='");
+    check("offset(sphere(1), x)",
+          "1:19: the argument 'd' of 'offset' must not depend on x, y or z");
+    check("displace(sphere(1), box())",
+          "1:21: a field cannot be used as the argument 'by' of 'displace'; join fields with '|', "
+          "'&' or '\\'");
+}
+
+TEST(Combinations, twist_and_bend_turn_about_z) {
+    const double quarter = std::numbers::pi / 2;
+    const std::string turn = "twist(x = 0, " + std::to_string(quarter) + "z)";
+    EXPECT_NEAR(value_at(turn, {0, 3, 1}), 3, 1e-5) << "as rotate does";
+    EXPECT_NEAR(value_at(turn, {0, 3, 0}), 0, 1e-15);
+    EXPECT_NEAR(value_at(turn, {0, 3, 2}), 0, 1e-4);
+    // At the origin y = 0 bends into y = curvature x^2 / 2.
+    const double h = 1e-3;
+    EXPECT_NEAR(value_at("bend(y = 0, curvature = 0.8)", {h, 0.4 * h * h, 0}), 0, 1e-12);
+    check("twist(sphere(1), box())",
+          "1:18: a field cannot be used as the argument 'angle' of 'twist'; join fields with '|', "
+          "'&' or '\\'");
+}
+
+TEST(Combinations, mirror_keeps_the_side_of_the_normal) {
+    const char* text = "mirror(translate(sphere(1), (3, 0, 0)), (1, 0, 0))";
+    EXPECT_DOUBLE_EQ(value_at(text, {3, 0, 0}), -1);
+    EXPECT_DOUBLE_EQ(value_at(text, {-3, 0, 0}), -1);
+    EXPECT_DOUBLE_EQ(value_at("mirror(x + 10y, (0, -2, 0), d = 1)", {0, 2, 0}), -40)
+        << "the plane is y = -1, and what is below it is kept";
+    EXPECT_DOUBLE_EQ(value_at("mirror(x + 10y, (0, -2, 0), d = 1)", {0, -5, 0}), -50);
+    check("mirror(sphere(1), (0, 0, 0))", "1:19: the normal of 'mirror' must not be zero");
+}
+
+TEST(Combinations, map_asks_the_field_at_another_place) {
+    EXPECT_DOUBLE_EQ(value_at("wave(p) = (p.x, p.y + p.x^2, p.z)\nmap(y = 0, wave)", {3, 1, 0}),
+                     10);
+    check("f(p) = length(p)\nmap(sphere(1), f)",
+          "2:16: a map of space must give a vector of 3, not a number");
+    check("map(sphere(1), 3)", "1:16: a number is no function, so it cannot be a map of space");
+}
+
+TEST(Combinations, repeat_is_the_copy_in_the_cell) {
+    const char* text = "repeat(sphere(0.5), (2, 0, 3))";
+    EXPECT_DOUBLE_EQ(value_at(text, {0.25, 0, 0}), -0.25);
+    EXPECT_DOUBLE_EQ(value_at(text, {-3.75, 0, 6}), -0.25);
+    EXPECT_DOUBLE_EQ(value_at(text, {0, 4, 0}), 3.5) << "0 repeats nothing";
+    const char* three = "repeat(sphere(0.5), cell = (2, 2, 2), count = (3, 2, 1))";
+    EXPECT_DOUBLE_EQ(value_at(three, {2, 1, 0}), -0.5);
+    EXPECT_DOUBLE_EQ(value_at(three, {-2, -1, 0}), -0.5);
+    EXPECT_DOUBLE_EQ(value_at(three, {4, 1, 0}), 1.5) << "no fourth copy";
+    EXPECT_DOUBLE_EQ(value_at(three, {0, 3, 0}), 1.5) << "an even number is centred too";
+    EXPECT_DOUBLE_EQ(value_at("param c = 0\nrepeat(sphere(0.5), (c, 0, 0))", {4, 0, 0}), 3.5);
+    EXPECT_DOUBLE_EQ(value_at("param c = 2\nrepeat(sphere(0.5), (c, 0, 0))", {4, 0, 0}), -0.5);
+    check("repeat(sphere(1), (1, -1, 1))",
+          "1:19: the argument 'cell' of 'repeat' must not be negative; 0 repeats nothing in its "
+          "direction");
+}
+
+TEST(Combinations, repeat_polar_is_the_copy_in_the_wedge) {
+    const char* text = "repeat_polar(translate(sphere(0.5), (2, 0, 0)), 3)";
+    for (const double degrees : {0.0, 120.0, 240.0, -120.0}) {
+        const double angle = degrees * std::numbers::pi / 180;
+        EXPECT_NEAR(value_at(text, {2 * std::cos(angle), 2 * std::sin(angle), 0.25}), -0.25, 1e-14);
+    }
+    EXPECT_NEAR(value_at(text, {-2, 0, 0}), std::sqrt(12.0) / 1.0 - 1.5, 2);
+    EXPECT_DOUBLE_EQ(value_at("repeat_polar(x, 1)", {-3, 0, 0}), -3);
+    EXPECT_DOUBLE_EQ(value_at("param n = 1\nrepeat_polar(x, n)", {-3, 1, 0}), -3);
+    check("repeat_polar(sphere(1), 0)", "1:25: the argument 'n' of 'repeat_polar' must be above 0");
+}
+
+TEST(Combinations, if_chooses_between_fields) {
+    const char* text = "param a = 1\nif(a > 2, sphere(1), box())";
+    EXPECT_DOUBLE_EQ(value_at(text, {3, 0, 0}), 2);
+    EXPECT_DOUBLE_EQ(value_at("param a = 3\nif(a > 2, sphere(1), x = 7)", {3, 0, 0}), 2);
 }
 
 TEST(Combinations, refuse_wrong_numbers_of_fields) {

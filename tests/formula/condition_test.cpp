@@ -47,9 +47,10 @@ TEST(Condition, refuses_what_cannot_be_chosen) {
           "1:14: unknown name 'foo'");
     check("if(x < 0, 1, (1, 2))",
           "1:1: both choices of 'if' must be of one type, not a number and a vector of 2");
-    check("if(x < 0, sphere(1), box())",
-          "1:4: the condition of 'if' between fields must be the same at every point; write '(A & F) "
-          "| (B \\ F)'");
+    check(
+        "if(x < 0, sphere(1), box())",
+        "1:4: the condition of 'if' between fields must be the same at every point; write '(A & F) "
+        "| (B \\ F)'");
     check("if(x < 0, sphere(1), 2)",
           "1:1: both choices of 'if' must be of one type, not a field and a number");
     check("if((1, 2), 1, 2)",
