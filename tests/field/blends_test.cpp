@@ -29,7 +29,7 @@ const Operation operations[] = {
 
 /// A field whose value is the coordinate: of one graph, or, with a colour, apart from others.
 FieldId coordinate(Field& f, graph::VariableId by) {
-    return f.add(Formula{f.graph.variable(by), Metric::distance, Kind::solid, {}, {}});
+    return f.add(Formula{f.graph.variable(by), Metric::distance});
 }
 FieldId coordinate_apart(Field& f, graph::VariableId by) {
     return coloured(f, coordinate(f, by), coordinates(f.graph));
