@@ -56,12 +56,12 @@ struct Formula {
     graph::NodeId value{};
     Metric metric = Metric::scalar;
     Kind kind = Kind::solid;
-    std::optional<Colour> colour{    /// Of a scalar that is made of distorted distances: it changes by no more than that one of them
-    /// which changes most. Empty if it is made of anything else, too.
-    std::vector<Distortion> distortions{};
-};
+    std::optional<Colour> colour{};
     bool exact = false;  ///< the signed distance itself and not only a bound of it
     std::optional<base::SourceSpan> span{};  ///< of the comparison in the user's text
+    /// Of a scalar that is made of distorted distances: it changes by no more than that one of them
+    /// which changes most. Empty if it is made of anything else, too.
+    std::vector<Distortion> distortions{};
 };
 
 /// An escape-time leaf, always a solid. The state starts at `start` (of the point), and `step` (of
@@ -77,9 +77,9 @@ struct Iteration {
     graph::NodeId limit{};  ///< independent of the point; rounded to the nearest whole number
     std::optional<graph::NodeId> escape;
     graph::NodeId distance{};
-    std::optional<Colour> colour{    /// Where a map that is no isometry lies between the point and the distance: what it maps to.
+    std::optional<Colour> colour{};
+    /// Where a map that is no isometry lies between the point and the distance: what it maps to.
     std::optional<Image> image{};
-};
 };
 
 struct Union {
