@@ -27,17 +27,24 @@ struct Axis {
     Expr to_upper, to_lower;  ///< ways to the walls
 };
 
-Axis endless(Expr x, Expr size, Expr half) {
-    const Expr index = nearest_whole(x / size);
-    const Expr inside = x - index * size;
+/// The size of a cell: 0 where nothing is repeated, and then another number to divide by.
+struct Size {
+    Expr step, divisor, half;
+};
+
+Axis endless(Expr x, const Size& size) {
+    const Expr index = nearest_whole(x / size.divisor);
+    const Expr inside = x - index * size.step;
+    const Expr half = size.half;
     return {inside, index, half - inside, half + inside};
 }
 
 /// Cells 0 to n - 1, the outer ones without an end.
-Axis counted(Expr x, Expr size, Expr half, Expr n) {
+Axis counted(Expr x, const Size& size, Expr n) {
     graph::Graph& g = *x.graph;
-    const Expr index = min(max(floor(x / size + n * 0.5), 0.0), n - 1.0);
-    const Expr inside = x - (index - (n - 1.0) * 0.5) * size;
+    const Expr index = min(max(floor(x / size.divisor + n * 0.5), 0.0), n - 1.0);
+    const Expr inside = x - (index - (n - 1.0) * 0.5) * size.step;
+    const Expr half = size.half;
     const Expr far(g, no_wall);
     return {inside, index, select_less(index, n - 1.5, half - inside, far),
             select_less(Expr(g, 0.5), index, half + inside, far)};
@@ -52,13 +59,10 @@ FieldId repeat(Field& field, FieldId a, const Point& cell, const std::optional<P
         if (g.is_constant(cell[i], 0)) continue;
         const Expr x(g, cells.point[i]), given(g, cell[i]);
         const bool known = g.is_constant(cell[i]);
-        const Expr size = known ? given : max(given, least_size);
-        const Expr half =
-            known ? given * 0.5
-                  : select_less(Expr(g, least_size), given, given * 0.5, Expr(g, no_wall));
-        const Axis axis =
-            count ? counted(x, size, half, max(nearest_whole(Expr(g, (*count)[i])), 1.0))
-                  : endless(x, size, half);
+        const Expr wide = select_less(Expr(g, least_size), given, given * 0.5, Expr(g, no_wall));
+        const Size size{given, known ? given : max(given, least_size), known ? given * 0.5 : wide};
+        const Axis axis = count ? counted(x, size, max(nearest_whole(Expr(g, (*count)[i])), 1.0))
+                                : endless(x, size);
         cells.point[i] = axis.inside.id;
         cells.walls.push_back(axis.to_upper.id);
         cells.walls.push_back(axis.to_lower.id);

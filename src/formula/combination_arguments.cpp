@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "field/palette.h"
 #include "formula/apply.h"
 
 namespace formula {
@@ -94,6 +95,21 @@ std::optional<Vector> CombinationArguments::direction(std::size_t slot) const {
         return std::nullopt;
     }
     return parts;
+}
+
+std::optional<field::Colour> CombinationArguments::colour(std::size_t slot) const {
+    const Value value = lower_expression(lowering_, *bound_[slot]);
+    if (is_nothing(value) || report_function(lowering_, span(slot), value)) return std::nullopt;
+    if (const auto* phase = std::get_if<NodeId>(&value)) {
+        return field::palette(lowering_.field.graph, *phase);
+    }
+    const auto* vector = std::get_if<VectorValue>(&value);
+    if (vector && vector->components.size() == 3) {
+        return field::Colour{vector->components[0], vector->components[1], vector->components[2]};
+    }
+    lowering_.error(span(slot), fmt::format("a colour is a number or (red, green, blue), not {}",
+                                            describe(value)));
+    return std::nullopt;
 }
 
 std::optional<Vector> CombinationArguments::map(std::size_t slot) const {

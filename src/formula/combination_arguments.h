@@ -44,6 +44,8 @@ public:
     std::optional<Vector> direction(std::size_t slot) const;
     /// One number or three that do not depend on the point; all above 0.
     std::optional<std::vector<graph::NodeId>> one_or_three(std::size_t slot) const;
+    /// A number, a phase of the palette, or three, red, green and blue; may depend on the point.
+    std::optional<field::Colour> colour(std::size_t slot) const;
     /// What a function that the user wrote makes of the point.
     std::optional<Vector> map(std::size_t slot) const;
 

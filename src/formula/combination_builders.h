@@ -23,6 +23,8 @@ Value build_shell(Lowering&, const Call&);
 Value build_displace(Lowering&, const Call&);
 Value build_morph(Lowering&, const Call&);
 
+Value build_colour(Lowering&, const Call&);
+
 // Maps of space.
 Value build_translate(Lowering&, const Call&);
 Value build_rotate(Lowering&, const Call&);

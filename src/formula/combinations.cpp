@@ -10,6 +10,7 @@ namespace {
 
 constexpr Combination table[] = {
     {"bend", "bend(F, curvature)", build_bend},
+    {"colour", "colour(F, c)", build_colour},
     {"complement", "complement(F)", build_complement},
     {"difference", "difference(F, G)", build_difference},
     {"displace", "displace(F, by)", build_displace},

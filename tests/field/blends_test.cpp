@@ -94,7 +94,7 @@ TEST(Blends, are_the_same_in_one_graph_as_of_fields_apart) {
         const NodeId k = f.graph.parameter(f.graph.new_parameter("k"));
         const FieldId a = coordinate(f, graph::variable_x), b = coordinate(f, graph::variable_y);
         const FieldId composed = operations[i](f, a, b, k);
-        const FieldId sponge = add_primitive(f, "menger", {1});
+        const FieldId sponge = shells(f, 1);
         const FieldId apart =
             operations[i](f, f.add(Union{a, f.add(Intersection{a, sponge})}), b, k);
         ASSERT_TRUE(std::holds_alternative<Formula>(f[composed])) << i;
@@ -117,7 +117,7 @@ TEST(Blends, change_by_no_more_than_the_operand_that_changes_most) {
             const FieldId box = add_primitive(f, "box", {0.4, 0.9, 0.6});
             f.root = operations[i](f, add_primitive(f, "sphere", {0.8}), box, f.graph.constant(k));
             expect_lipschitz(f, 42, 2, 400);
-            f.root = operations[i](f, add_primitive(f, "menger", {2}), box, f.graph.constant(k));
+            f.root = operations[i](f, shells(f, 2), box, f.graph.constant(k));
             ASSERT_TRUE(std::holds_alternative<Blend>(f[f.root]));
             expect_lipschitz(f, 43, 2, 100);
         }
@@ -133,9 +133,9 @@ TEST(Displace, adds_to_the_value_and_remembers_by_how_much) {
     EXPECT_EQ(leaf.metric, Metric::scalar);
     ASSERT_EQ(leaf.distortions.size(), 1U);
     EXPECT_EQ(leaf.distortions[0].displacement, (x * 0.5).id);
-    const FieldId sponge = displace(f, add_primitive(f, "menger", {1}), (x * 0.5).id);
-    EXPECT_DOUBLE_EQ(eval::value(f, sponge, {2, 0, 0}, {}), 2);
-    EXPECT_EQ(std::get<Blend>(f[sponge]).displacement, (x * 0.5).id);
+    const FieldId shell = displace(f, shells(f, 0), (x * 0.5).id);
+    EXPECT_DOUBLE_EQ(eval::value(f, shell, {2, 0, 0}, {}), 2);
+    EXPECT_EQ(std::get<Blend>(f[shell]).displacement, (x * 0.5).id);
 }
 
 TEST(Distortions, go_through_blends_until_something_else_joins) {

@@ -199,6 +199,18 @@ TEST(Combinations, repeat_polar_is_the_copy_in_the_wedge) {
     check("repeat_polar(sphere(1), 0)", "1:25: the argument 'n' of 'repeat_polar' must be above 0");
 }
 
+TEST(Combinations, colour_gives_a_colour_and_keeps_the_value) {
+    EXPECT_DOUBLE_EQ(value_at("colour(sphere(1), (1, y, 0))", {3, 0, 0}), 2);
+    EXPECT_DOUBLE_EQ(value_at("colour(sphere(1) | box(), c = x)", {3, 0, 0}), 2);
+    const auto lowered = understand("colour(repeat(sphere(1), (3, 3, 3)), (1, y, 0)) | x = 1");
+    ASSERT_TRUE(lowered);
+    const auto& both = std::get<field::Union>(lowered->field[lowered->field.root]);
+    EXPECT_TRUE(std::get<field::Cells>(lowered->field[both.a]).colour)
+        << "the colour is a function of the point outside of the cells";
+    check("colour(sphere(1), (1, 2))",
+          "1:19: a colour is a number or (red, green, blue), not a vector of 2");
+}
+
 TEST(Combinations, if_chooses_between_fields) {
     const char* text = "param a = 1\nif(a > 2, sphere(1), box())";
     EXPECT_DOUBLE_EQ(value_at(text, {3, 0, 0}), 2);
