@@ -37,7 +37,7 @@ base::Diagnostics in_text(const Source& source, base::Diagnostics problems) {
 /// Fills source and document from the options; false after reporting errors.
 bool read_document(const InputOptions& options, Source& source, scene::Document& document) {
     if (options.formula) {
-        source = {"formula", *options.formula, {}};
+        source = {"formula", *options.formula, {}, {}};
         document.formula = *options.formula;
         return true;
     }
