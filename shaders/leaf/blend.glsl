@@ -20,14 +20,14 @@ real escape_operand(real estimate, bool inside) {
 }
 
 // The answer of a blend from its value, which changes by at most 1 / inverse times the way (0 where
-// that is not known; then steps are blind). `reach` as for iterations.
-Answer blend_answer(real f, real inverse, real reach, int object) {
+// that is not known; then steps are blind), and here about by `slope` times it. `reach` as for
+// iterations.
+Answer blend_answer(real f, real slope, real inverse, real reach, int object) {
     if (isnan(f)) return answer_undefined(object);
-    bool known = inverse > 0.0;
-    if (!known) zs_guess = true;
     real v = min(abs(f), zs_far);
-    real s = min((known ? v * inverse : min(v, blind_step())) / frame.march.y, zs_limit);
-    real estimate = min(reach * (known ? v * inverse : v), zs_far);
+    if (!(inverse > 0.0)) zs_guess = true;
+    real s = min((inverse > 0.0 ? v * inverse : min(v, blind_step())) / frame.march.y, zs_limit);
+    real estimate = v > 0.0 ? (slope > 0.0 ? min(reach * v / slope, zs_far) : zs_far) : 0.0;
     return f < 0.0 ? Answer(-s, -estimate, f, 0.0, false, false, object)
                    : Answer(s, estimate, f, 0.0, false, false, object);
 }

@@ -1,9 +1,9 @@
-// How far to a wall that the point is `u` away from, where u changes by `rate` along the ray.
-real cell_exit(real u, real rate) { return rate < 0.0 ? max(u, 0.0) / -rate : zs_far; }
+// How far to a wall that the point is `u` away from, where u changes by `rate` along the ray: never 0,
+// which would be a surface.
+real cell_exit(real u, real rate) { return rate < 0.0 ? max(max(u, 0.0) / -rate, 1e-30) : zs_far; }
 
 // What is known of a cell holds up to its wall.
 Answer answer_cell(Answer a, real wall) {
-    real end = max(wall, 1e-30);
-    a.free = clamp(a.free, -end, end);
+    a.free = clamp(a.free, -wall, wall);
     return a;
 }

@@ -14,11 +14,13 @@ Answer iteration_answer(real estimate, bool inside, real reach, int object) {
     return Answer(-0.125 * blind_step(), reach * depth, depth, 0.0, false, false, object);
 }
 
-// The estimate where a map that is no isometry lies between the point and the distance: divided by its
-// Lipschitz constant; a guess if that is unbounded.
-real distorted_estimate(real estimate, real inverse) {
-    if (inverse > 0.0) return estimate * inverse;
-    zs_guess = true;
+// The same where a map that is no isometry lies between the point and the distance: the way is divided
+// by the map's Lipschitz constant, a guess if that is unbounded. The distance is not: where the map
+// stretches less, that would say that the surface is nearer than it is.
+Answer distorted_answer(real estimate, bool inside, real inverse, real reach, int object) {
+    Answer a = iteration_answer(estimate, inside, reach, object);
     real most = blind_step();
-    return clamp(0.5 * estimate, -most, most);
+    if (!(inverse > 0.0)) zs_guess = true;
+    a.free = inverse > 0.0 ? a.free * inverse : clamp(0.5 * a.free, -most, most);
+    return a;
 }

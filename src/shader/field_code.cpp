@@ -38,6 +38,15 @@ void FieldCode::differentiate() {
         std::ranges::copy(turn, turns[id].begin());
         wall_rates[id] = passes::gradients(field.graph, cells.walls);
     }
+    for (const FieldId id : plan.mixes) {
+        const auto& blend = std::get<field::Blend>(field[id]);
+        for (const graph::VariableId by : blend.values) {
+            const graph::NodeId weight = passes::differentiate(field.graph, blend.value, by);
+            weights[id].push_back(passes::run(field.graph, std::array{weight})[0]);
+        }
+        if (!blend.displacement) continue;
+        displacements[id] = passes::gradient(field.graph, *blend.displacement);
+    }
 }
 
 /// The last passes see values and derivatives together, which share much.
@@ -49,6 +58,10 @@ void FieldCode::make_cheap() {
     for (auto& [id, gradient] : gradients) add(gradient);
     for (auto& [id, rows] : turns) std::ranges::for_each(rows, add);
     for (auto& [id, rates] : wall_rates) std::ranges::for_each(rates, add);
+    for (auto& [id, gradient] : displacements) add(gradient);
+    for (auto& [id, list] : weights) {
+        for (graph::NodeId& weight : list) places.push_back(&weight);
+    }
     std::vector<graph::NodeId> roots;
     for (const graph::NodeId* place : places) roots.push_back(*place);
     const std::vector<graph::NodeId> cheap =

@@ -19,9 +19,11 @@ using Gradient = std::array<graph::NodeId, 3>;
 struct FieldCode {
     field::Field field;
     FieldPlan plan;
-    std::map<field::FieldId, Gradient> gradients;                ///< of formulas
-    std::map<field::FieldId, std::array<Gradient, 3>> turns;     ///< of the points of cells
-    std::map<field::FieldId, std::vector<Gradient>> wall_rates;  ///< of the walls of cells
+    std::map<field::FieldId, Gradient> gradients;                  ///< of formulas
+    std::map<field::FieldId, std::array<Gradient, 3>> turns;       ///< of the points of cells
+    std::map<field::FieldId, std::vector<Gradient>> wall_rates;    ///< of the walls of cells
+    std::map<field::FieldId, std::vector<graph::NodeId>> weights;  ///< of a blend's operands
+    std::map<field::FieldId, Gradient> displacements;              ///< of blends that have one
     bool edges = false;  ///< a formula may be undefined somewhere
     std::vector<bool> depends;
     FieldValues values;
@@ -57,7 +59,8 @@ void write_leaves(FieldCode& code);
 /// in the cell's coordinates as one outside), cell_index_i.
 void write_cells(FieldCode& code);
 
-/// For each of plan.blends: blend_i, the value and the object that is nearest.
+/// For each of plan.blends: blend_i, the value, the object that is nearest and about how fast the
+/// value changes; blend_gradient_i, if no iteration is below.
 void write_blends(FieldCode& code);
 
 /// field(p, d), field_start and field_accept.

@@ -20,7 +20,9 @@ struct Planner {
         const field::Node& node = field[id];
         const std::vector<FieldId> below = children(node);
         if (below.empty()) return add_object(id);
-        const bool outermost = std::holds_alternative<field::Blend>(node) && !blend;
+        const bool is_blend = std::holds_alternative<field::Blend>(node);
+        if (is_blend && std::ranges::count(plan.mixes, id) == 0) plan.mixes.push_back(id);
+        const bool outermost = is_blend && !blend;
         if (outermost) {
             blend = plan.blends.size();
             plan.blends.push_back({id, cells, plan.objects.size()});
@@ -38,7 +40,9 @@ struct Planner {
     void add_object(FieldId id) {
         plan.objects.push_back({id, cells, blend});
         const auto* iteration = std::get_if<field::Iteration>(&field[id]);
-        if (blend && iteration && iteration->escape) plan.blends[*blend].escapes = true;
+        if (!blend || !iteration) return;
+        plan.blends[*blend].iterates = true;
+        if (iteration->escape) plan.blends[*blend].escapes = true;
     }
 };
 

@@ -22,12 +22,14 @@ struct OuterBlend {
     std::vector<field::FieldId> cells;  ///< above it, outermost first
     std::size_t first_object = 0;       ///< of those below
     bool escapes = false;               ///< an escape-time set is below
+    bool iterates = false;              ///< an iteration is below: gradients by differences
 };
 
 struct FieldPlan {
     std::vector<Object> objects;        ///< from left to right
     std::vector<OuterBlend> blends;     ///< likewise
     std::vector<field::FieldId> cells;  ///< each once
+    std::vector<field::FieldId> mixes;  ///< all blends, also those below others, each once
 
     std::size_t cells_number(field::FieldId id) const;
 };

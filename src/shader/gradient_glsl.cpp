@@ -7,53 +7,68 @@
 namespace shader {
 namespace {
 
-/// The gradient of a formula, taken back out of the cells around it.
-std::string exact_gradient(const FieldCode& code, std::size_t i) {
-    const Object& object = code.plan.objects[i];
-    if (object.cells.empty()) return fmt::format("    if (object == {0}) value_{0}(p, g);\n", i);
-    const WayIn way = way_in(code, object.cells, "        ");
-    std::string text = fmt::format("    if (object == {}) {{\n{}", i, way.statements);
-    text += fmt::format("        value_{}({}, g);\n", i, way.points.back());
-    for (std::size_t k = object.cells.size(); k-- > 0;) {
-        text += fmt::format("        g = cell_back_{}({}, g);\n",
-                            code.plan.cells_number(object.cells[k]), way.points[k]);
+/// What tells the objects of a blend.
+std::string condition(const FieldCode& code, const OuterBlend& blend) {
+    const std::size_t last = blend.first_object + leaves(code.field, blend.id).size() - 1;
+    return fmt::format("object >= {} && object <= {}", blend.first_object, last);
+}
+
+/// A gradient within cells, taken back out of them.
+std::string exact_gradient(const FieldCode& code, const std::string& condition,
+                           const std::vector<field::FieldId>& cells, const std::string& gradient) {
+    const WayIn way = way_in(code, cells, "        ");
+    std::string text = fmt::format("    if ({}) {{\n{}", condition, way.statements);
+    text += fmt::format("        {}\n", fmt::format(fmt::runtime(gradient), way.points.back()));
+    for (std::size_t k = cells.size(); k-- > 0;) {
+        text += fmt::format("        g = cell_back_{}({}, g);\n", code.plan.cells_number(cells[k]),
+                            way.points[k]);
     }
     return text + "    }\n";
 }
 
-std::string iteration_value(const FieldCode& code, std::size_t i) {
-    const Object& object = code.plan.objects[i];
-    const WayIn way = way_in(code, object.cells, "        ");
-    return fmt::format(
-        "    if (object == {0}) {{\n{1}        bool inside;\n"
-        "        return value_{0}({2}, inside);\n    }}\n",
-        i, way.statements, way.points.back());
-}
-
-std::string blend_value(const FieldCode& code, std::size_t i) {
-    const OuterBlend& blend = code.plan.blends[i];
-    const std::size_t last = blend.first_object + leaves(code.field, blend.id).size() - 1;
-    const WayIn way = way_in(code, blend.cells, "        ");
-    return fmt::format(
-        "    if (object >= {} && object <= {}) {{\n{}        int nearest;\n"
-        "        return blend_{}({}, real3(0.0), nearest);\n    }}\n",
-        blend.first_object, last, way.statements, i, way.points.back());
+std::string value_inside(const FieldCode& code, const std::string& condition,
+                         const std::vector<field::FieldId>& cells, const std::string& value) {
+    const WayIn way = way_in(code, cells, "        ");
+    return fmt::format("    if ({}) {{\n{}        {}\n    }}\n", condition, way.statements,
+                       fmt::format(fmt::runtime(value), way.points.back()));
 }
 
 }  // namespace
 
 void write_gradients(FieldCode& code) {
     std::string distances, gradients, by_differences;
+    const auto add_difference = [&](const std::string& objects) {
+        by_differences += fmt::format("{}({})", by_differences.empty() ? "" : " || ", objects);
+    };
     for (std::size_t i = 0; i < code.plan.objects.size(); ++i) {
-        const bool blended = code.plan.objects[i].blend.has_value();
-        if (code.formula(i) && !blended) {
-            gradients += exact_gradient(code, i);
-            continue;
+        const Object& object = code.plan.objects[i];
+        if (object.blend) continue;
+        const std::string is_this = fmt::format("object == {}", i);
+        if (code.formula(i)) {
+            gradients +=
+                exact_gradient(code, is_this, object.cells, fmt::format("value_{}({{}}, g);", i));
+        } else {
+            distances += value_inside(
+                code, is_this, object.cells,
+                fmt::format("bool inside;\n        return value_{}({{}}, inside);", i));
+            add_difference(is_this);
         }
-        if (!blended) distances += iteration_value(code, i);
-        by_differences += fmt::format("{}object == {}", by_differences.empty() ? "" : " || ", i);
     }
-    for (std::size_t i = 0; i < code.plan.blends.size(); ++i) distances += blend_value(code, i);
+    for (std::size_t i = 0; i < code.plan.blends.size(); ++i) {
+        const OuterBlend& blend = code.plan.blends[i];
+        const std::string objects = condition(code, blend);
+        if (blend.iterates) {
+            distances += value_inside(code, objects, blend.cells,
+                                      fmt::format("real slope;\n        int nearest;\n        "
+                                                  "return blend_{}({{}}, real3(0.0), slope, "
+                                                  "nearest);",
+                                                  i));
+            add_difference(objects);
+        } else {
+            gradients += exact_gradient(code, objects, blend.cells,
+                                        fmt::format("g = blend_gradient_{}({{}});", i));
+        }
+    }
     if (!distances.empty()) {
         code.out.needs_differences = true;
         code.out.code += fmt::format(

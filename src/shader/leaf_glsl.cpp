@@ -20,17 +20,17 @@ void write_iteration(FieldCode& code, std::size_t i, const field::Iteration& ite
     code.out.code += fmt::format("real value_{}(real3 p, out bool inside) {{\n", i);
     code.out.code += iteration_body(code.field.graph, iteration, w, code.values);
     code.out.code += "}\n";
-    const std::string estimate =
-        iteration.image ? fmt::format("distorted_estimate(f, {})",
+    const std::string answer =
+        iteration.image ? fmt::format("distorted_answer(f, inside, {}, ",
                                       bound(code, FieldValue::What::inverse_lipschitz, i))
-                        : "f";
+                        : "iteration_answer(f, inside, ";
     code.out.code += fmt::format(
         "Answer leaf_{0}(real3 p, real3 d) {{\n"
         "    bool inside;\n"
         "    real f = value_{0}(p, inside);\n"
-        "    return iteration_answer({2}, inside, {1}, {0});\n"
+        "    return {2}{1}, {0});\n"
         "}}\n",
-        i, iteration.escape ? "4.0" : "1.0", estimate);
+        i, iteration.escape ? "4.0" : "1.0", answer);
     code.finish(w);
     code.needs("leaf/iteration.glsl");
 }

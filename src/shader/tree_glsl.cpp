@@ -92,9 +92,10 @@ private:
         object_ += leaves(code_.field, id).size();
         const std::string inverse =
             code_.values.bound({FieldValue::What::inverse_lipschitz, id, blend.cells});
-        body_ += fmt::format("    int k{0};\n    real f{0} = blend_{0}({1}, {2}, k{0});\n", i,
-                             place.p, place.d);
-        return fmt::format("blend_answer(f{0}, {1}, {2}, k{0})", i, inverse,
+        body_ += fmt::format(
+            "    int k{0};\n    real s{0};\n    real f{0} = blend_{0}({1}, {2}, s{0}, k{0});\n", i,
+            place.p, place.d);
+        return fmt::format("blend_answer(f{0}, s{0}, {1}, {2}, k{0})", i, inverse,
                            blend.escapes ? "4.0" : "1.0");
     }
     std::string answer(FieldId id, const field::Cells& node, const Place& place, std::string&) {

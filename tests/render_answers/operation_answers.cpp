@@ -2,7 +2,10 @@
 #include "render_answers/operation_answers.h"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
+
+#include <glm/geometric.hpp>
 
 namespace render_answers {
 namespace {
@@ -12,6 +15,21 @@ using P = Polynomial;
 const scene::Camera aside = camera({2.2, 1.6, 3.1});
 const scene::Camera wide = camera({0.6, 0.5, 2.4}, {0.2, 0.1, 0}, 140);
 const scene::Camera along_z = camera({0, 0, 5}, {0, 0, 0}, 50, {0, 0, 1});
+
+/// Where the length of a vector with some components left out is below r: a ball, or an endless
+/// tube along an axis. Intersected by the quadratic formula, which is much faster than `below`.
+Solid round(double r, glm::dvec3 centre, glm::dvec3 components = glm::dvec3(1)) {
+    const auto part = std::make_shared<int>();
+    return [=](const Ray& ray) -> std::vector<Span> {
+        const glm::dvec3 from = components * (ray.origin - centre);
+        const glm::dvec3 by = components * ray.direction;
+        const double a = glm::dot(by, by), b = glm::dot(from, by);
+        const double square = b * b - a * (glm::dot(from, from) - r * r);
+        if (!(square > 0)) return {};
+        const auto crossing = [&](double t) { return Crossing{t, from + t * by, part.get()}; };
+        return {{crossing((-b - std::sqrt(square)) / a), crossing((-b + std::sqrt(square)) / a)}};
+    };
+}
 
 /// A solid turned about the z axis, counter-clockwise where that points at the eye.
 Solid turned(const Solid& solid, double degrees) {
@@ -40,16 +58,16 @@ Solid rounded_box(glm::dvec3 half, double r) {
     for (const double i : {-1.0, 1.0}) {
         for (const double k : {-1.0, 1.0}) {
             for (int axis = 0; axis < 3; ++axis) {
-                const Solid tube = below([=](const P& x, const P& y, const P& z) {
-                    const P a = (axis == 0 ? y : x) - i * half[axis == 0 ? 1 : 0];
-                    const P b = (axis == 2 ? y : z) - k * half[axis == 2 ? 1 : 2];
-                    return a * a + b * b - r * r;
-                });
+                glm::dvec3 across(1), middle(0);
+                across[axis] = 0;
+                middle[(axis + 1) % 3] = i * half[(axis + 1) % 3];
+                middle[(axis + 2) % 3] = k * half[(axis + 2) % 3];
+                const Solid tube = round(r, middle, across);
                 glm::dvec3 length(4);
                 length[axis] = half[axis];
                 all = all | (tube & cuboid(length));
             }
-            for (const double m : {-1.0, 1.0}) all = all | ball(r, half * glm::dvec3(i, k, m));
+            for (const double m : {-1.0, 1.0}) all = all | round(r, half * glm::dvec3(i, k, m));
         }
     }
     return all;
@@ -60,7 +78,8 @@ Solid repeated_balls(double radius, double cell) {
     for (int i = -2; i <= 2; ++i) {
         for (int j = -2; j <= 2; ++j) {
             for (int k = -2; k <= 2; ++k) {
-                all = all | ball(radius, cell * glm::dvec3(i, j, k));
+                if (i * i + j * j + k * k > 5) continue;  // outside of the bounds
+                all = all | round(radius, cell * glm::dvec3(i, j, k));
             }
         }
     }

@@ -53,6 +53,7 @@ Comparison compare_with_samples(const std::string& formula, double steepness = 1
     query.width = width;
     query.height = height;
     query.settings.steps = 4000;
+    query.settings.epsilon = 0.005;  // few pixels, but no coarse ones
     const auto compiled = compile::compile_formula(formula);
     EXPECT_TRUE(compiled) << formula;
     if (!compiled) return {};
