@@ -302,8 +302,7 @@ INSTANTIATE_TEST_SUITE_P(Bounds, KnownAnswer, testing::ValuesIn(bounds()), name_
 INSTANTIATE_TEST_SUITE_P(PolesAndJumps, KnownAnswer, testing::ValuesIn(poles_and_jumps()), name_of);
 INSTANTIATE_TEST_SUITE_P(EvenRoots, KnownAnswer, testing::ValuesIn(even_roots()), name_of);
 INSTANTIATE_TEST_SUITE_P(Combinations, KnownAnswer, testing::ValuesIn(combinations()), name_of);
-INSTANTIATE_TEST_SUITE_P(DISABLED_Operations, KnownAnswer, testing::ValuesIn(operation_answers()),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(Operations, KnownAnswer, testing::ValuesIn(operation_answers()), name_of);
 
 }  // namespace
 }  // namespace render_answers

@@ -99,9 +99,7 @@ void expect_no_surface_passed(const std::string& formula, int most_wrong = 0) {
     EXPECT_GT(found.hit, 20) << formula;
 }
 
-// Known failures, to be run with --gtest_also_run_disabled_tests: blends whose operands are kept
-// apart (by colours, or because they are cells) show phantoms, up to 552 of 692 pixels.
-TEST(Operations, DISABLED_of_blends_let_no_ray_pass) {
+TEST(Operations, of_blends_let_no_ray_pass) {
     const std::string ball = "sphere(0.9)", bar = "translate(box(0.3, 0.2, 1.4), (0.5, 0.2, 0))";
     // A colour keeps the operands apart.
     for (const std::string& a : {ball, "colour(" + ball + ", x)"}) {
@@ -117,7 +115,7 @@ TEST(Operations, DISABLED_of_blends_let_no_ray_pass) {
     }
 }
 
-TEST(Operations, DISABLED_of_maps_let_no_ray_pass) {
+TEST(Operations, of_maps_let_no_ray_pass) {
     const std::string bar = "box(0.7, 0.3, 1.4)";
     for (const std::string& a : {bar, "colour(" + bar + ", x)",
                                  "smooth_union(colour(" + bar + ", x), sphere(0.8), 0.2)"}) {
@@ -130,7 +128,7 @@ TEST(Operations, DISABLED_of_maps_let_no_ray_pass) {
     }
 }
 
-TEST(Operations, DISABLED_of_cells_let_no_ray_pass) {
+TEST(Operations, of_cells_let_no_ray_pass) {
     const std::string bar = "rotate(box(0.4, 0.1, 0.2), (1, 2, 3), 50)";
     expect_no_surface_passed("repeat(" + bar + ", (1, 0.8, 0.7))");
     expect_no_surface_passed("repeat(" + bar + ", (1, 0.8, 0), count = (2, 3, 1))");
@@ -227,7 +225,7 @@ private:
     std::mt19937 random_;
 };
 
-TEST(Operations, DISABLED_at_random_let_no_ray_pass) {
+TEST(Operations, at_random_let_no_ray_pass) {
     constexpr unsigned first_seed = 600;
     int compared = 0, wrong = 0;
     for (unsigned seed = first_seed; seed < first_seed + 40; ++seed) {
