@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What is right: for each pixel of a picture the first surface along its ray, as far as that could
+// be settled in double precision.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace oracle {
+
+enum class Verdict : std::uint8_t {
+    miss,       ///< the ray meets nothing within the bounds
+    hit,        ///< there is a surface between `near` and `far`, and none before `near`
+    undecided,  ///< nothing before `near`; what is between `near` and `far` could not be settled
+};
+
+/// Depths are distances from the eye along the unit ray, in world units.
+struct Pixel {
+    Verdict verdict = Verdict::undecided;
+    /// The verdict, the object or the depth (by more than half a pixel's footprint) is another one
+    /// within 0.03 pixel: too close to an outline to hold a tracer to it. Heuristic: some rays
+    /// beside the pixel's own are looked at.
+    bool fragile = false;
+    std::int32_t object = -1;  ///< the leaf that is hit, counted from left to right; -1: none
+    double near = 0;           ///< +infinity for a miss
+    double far = 0;            ///< likewise
+    glm::dvec3 normal{0};      ///< of a hit: unit, facing the eye; 0 where there is none
+
+    /// The best estimate there is.
+    double depth() const { return near + 0.5 * (far - near); }
+};
+
+struct Reference {
+    int width = 0;
+    int height = 0;
+    double pixel_width = 0;  ///< a pixel's footprint at distance 1: 2 tan(fov / 2) / full height
+    /// True if escape-time sets are in the scene: then verdicts rest on distance estimates, stepped
+    /// with a quarter of them, and prove nothing.
+    bool heuristic = false;
+    std::vector<Pixel> pixels;  ///< row by row from the top left
+
+    const Pixel& at(int x, int y) const {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
+    }
+};
+
+}  // namespace oracle
