@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <ranges>
 
 #include "analysis/derivative_bounds.h"
 #include "analysis/polynomial_degree.h"
-#include "field/map_domain.h"
 #include "field/parts.h"
 
 namespace analysis {
@@ -73,10 +73,20 @@ private:
             return of_iteration(std::get<field::Iteration>(field::shape(field_, id)), of);
         }
         // Across the walls of cells anything may happen.
-        if (has_cells(field_, id)) return {Smoothness::discontinuous, true};
-        const std::vector<FieldId> objects = leaves(field_, id);
-        Regularity worst{objects.size() > 1 ? Smoothness::piecewise : Smoothness::smooth, false};
-        for (const FieldId object : objects) worst = worse(worst, regularity_of(object));
+        if (std::holds_alternative<field::Cells>(field_[id])) return {};
+        return of_operation(id, of);
+    }
+
+    /// Values are joined with kinks; a choice is one of them.
+    Regularity of_operation(FieldId id, const auto& of) const {
+        const std::vector<FieldId> below = field::children(field_[id]);
+        const bool chosen = std::holds_alternative<field::Choice>(field_[id]);
+        const bool joined = below.size() > 1 && !chosen;
+        Regularity worst{joined ? Smoothness::piecewise : Smoothness::smooth, false};
+        if (!chosen) {
+            for (const NodeId root : field::expressions(field_[id])) worst = worse(worst, of(root));
+        }
+        for (const FieldId child : below) worst = worse(worst, regularity_of(child));
         return worst;
     }
 
@@ -107,15 +117,46 @@ private:
     std::map<FieldId, double> lipschitz_;
 };
 
+/// For every object of the scene a node that is all that is seen of it: the object itself, or its
+/// copies in the cells around it.
+class Copies {
+public:
+    explicit Copies(field::Field& field) : field_(field) { walk(field.root); }
+
+    std::vector<FieldId> found{};  ///< in the order of field::leaves
+
+private:
+    void walk(FieldId id) {
+        const field::Node node = field_[id];  // a copy: adding nodes moves them
+        const std::vector<FieldId> below = field::children(node);
+        const auto* cells = std::get_if<field::Cells>(&node);
+        if (cells) around_.push_back(*cells);
+        for (const FieldId child : below) walk(child);
+        if (cells) around_.pop_back();
+        if (below.empty()) found.push_back(within_cells(id));
+    }
+
+    FieldId within_cells(FieldId id) {
+        for (field::Cells cells : around_ | std::views::reverse) {
+            cells.a = id;
+            id = field_.add(std::move(cells));
+        }
+        return id;
+    }
+
+    field::Field& field_;
+    std::vector<field::Cells> around_{};
+};
+
 }  // namespace
 
 SceneFacts find_facts(const field::Field& field, const Region& region,
                       std::span<const double> parameters) {
-    Finder finder(field, region, parameters);
+    field::Field copy = field;
+    const Copies objects(copy);
+    Finder finder(copy, region, parameters);
     SceneFacts scene{finder.find(field.root), {}};
-    for (const FieldId object : leaves(field, field.root)) {
-        scene.objects.push_back(finder.find(object));
-    }
+    for (const FieldId object : objects.found) scene.objects.push_back(finder.find(object));
     return scene;
 }
 

@@ -38,7 +38,8 @@ struct Facts {
 
 struct SceneFacts {
     Facts whole;
-    std::vector<Facts> objects;  ///< in the order of field::leaves
+    /// In the order of field::leaves. Of an object in cells all copies count, where they are.
+    std::vector<Facts> objects;
 };
 
 /// Tens of milliseconds. `parameters` is indexed by ParameterId.

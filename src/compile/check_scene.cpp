@@ -2,7 +2,6 @@
 #include "compile/check_scene.h"
 
 #include <algorithm>
-#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,6 +15,9 @@ namespace {
 
 /// Operators that a proof may evaluate in intervals: about half a millisecond.
 constexpr std::size_t operations_a_proof = 20'000;
+
+/// What looking at another expression costs beside its operators.
+constexpr std::size_t overhead = 100;
 
 analysis::Effort effort_for(const analysis::ContentFinder& content) {
     const std::size_t cells = operations_a_proof / std::max<std::size_t>(content.operations(), 1);
@@ -74,20 +76,20 @@ private:
     base::Diagnostics decided_comparisons() const {
         const field::Field& field = formula_.field;
         base::Diagnostics found;
-        std::set<field::FieldId> seen;
         std::size_t operations = 0;
-        for (const field::FieldId id : leaves(field, field.root)) {
-            const auto* leaf = std::get_if<field::Formula>(&field[id]);
-            if (!leaf || !leaf->span || !seen.insert(id).second) continue;
+        std::vector<field::FieldId> objects = leaves(field, field.root);
+        std::ranges::sort(objects);
+        for (const auto& [id, span] : formula_.comparisons) {
+            if (!std::ranges::binary_search(objects, id)) continue;
             if (analysis::dependence(field, id).on_parameters()) continue;
             analysis::ContentFinder content(field, id, values_);
-            operations += content.operations();
+            operations += overhead + content.operations();
             if (operations > operations_a_proof) break;
             const bool never = proven_empty_everywhere(content);
             if (!never && !proven_full_everywhere(content)) continue;
             found.push_back(base::warning(
-                *leaf->span, fmt::format("this comparison is true {}; change it, or take it away",
-                                         never ? "nowhere" : "everywhere")));
+                span, fmt::format("this comparison is true {}; change it, or take it away",
+                                  never ? "nowhere" : "everywhere")));
         }
         return found;
     }

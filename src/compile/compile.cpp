@@ -52,7 +52,11 @@ float number(const FieldValue& value, FieldBounds& bounds, double expression) {
 base::Result<Formula> compile_formula(std::string_view text) {
     auto lowered = formula::understand(text);
     if (!lowered) return lowered.problems();
-    Formula formula{std::move(lowered->field), std::move(lowered->warnings), lowered->result, {}};
+    Formula formula{std::move(lowered->field),
+                    std::move(lowered->warnings),
+                    lowered->result,
+                    std::move(lowered->comparisons),
+                    {}};
     passes::run(formula.field);
     formula.tapes = bound_tapes(formula.field);
     return formula;

@@ -22,6 +22,8 @@ struct Formula {
     field::Field field;
     base::Diagnostics warnings;
     base::SourceSpan result;  ///< the last expression, whose field this is
+    /// Leaves that are comparisons as they stand in the text.
+    std::map<field::FieldId, base::SourceSpan> comparisons;
     BoundTapes tapes;
 };
 

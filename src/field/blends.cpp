@@ -123,7 +123,6 @@ FieldId displace(Field& field, FieldId a, NodeId by) {
     }
     Formula result = *formula;
     result.exact = false;
-    result.span.reset();
     if (result.metric == Metric::distance) {
         result.metric = Metric::scalar;
         result.distortions = {Distortion{{coordinates(field.graph)}, {}}};

@@ -58,7 +58,6 @@ struct Formula {
     Kind kind = Kind::solid;
     std::optional<Colour> colour{};
     bool exact = false;  ///< the signed distance itself and not only a bound of it
-    std::optional<base::SourceSpan> span{};  ///< of the comparison in the user's text
     /// Of a scalar that is made of distorted distances: it changes by no more than that one of them
     /// which changes most. Empty if it is made of anything else, too.
     std::vector<Distortion> distortions{};

@@ -92,7 +92,10 @@ std::vector<NodeId> expressions(const Node& node) {
 
 Node shape(const Field& field, FieldId id) {
     Node node = field[id];
-    if (auto* formula = std::get_if<Formula>(&node)) formula->colour.reset();
+    if (auto* formula = std::get_if<Formula>(&node)) {
+        formula->colour.reset();
+        formula->distortions.clear();
+    }
     if (auto* cells = std::get_if<Cells>(&node)) cells->colour.reset();
     auto* iteration = std::get_if<Iteration>(&node);
     if (!iteration) return node;
@@ -100,6 +103,7 @@ Node shape(const Field& field, FieldId id) {
         needed_state(field.graph, *iteration, std::span(&iteration->distance, 1));
     Iteration result = *iteration;
     result.colour.reset();
+    result.image.reset();
     result.state.clear();
     result.start.clear();
     result.step.clear();

@@ -64,7 +64,7 @@ base::Result<Lowered> lower(const Program& program, std::string_view text) {
     lowering.field.root = root->id;
     warn_of_unused_names(lowering);
     return Lowered{std::move(lowering.field), in_order(std::move(lowering.warnings)),
-                   lowering.span(program.result)};
+                   lowering.span(program.result), std::move(lowering.comparisons)};
 }
 
 base::Result<Lowered> understand(std::string_view text) {

@@ -2,6 +2,7 @@
 // From the syntax tree to the field: looks names up, checks what may stand where, builds the graph.
 #pragma once
 
+#include <map>
 #include <string_view>
 
 #include "base/result.h"
@@ -14,6 +15,9 @@ struct Lowered {
     field::Field field;
     base::Diagnostics warnings;  ///< in the order of the text
     base::SourceSpan result;     ///< of the last expression
+    /// Leaves that are comparisons as they stand in the text, and where; without those in the
+    /// bodies of functions and those that a map or a blend has made something else of.
+    std::map<field::FieldId, base::SourceSpan> comparisons;
 };
 
 /// The field of a program that was parsed from this text. All errors are found, in the order of the

@@ -18,11 +18,6 @@ NodeId difference(graph::Graph& graph, NodeId left, NodeId right) {
 
 FieldValue compare(Lowering& lowering, const Comparison& comparison, NodeId left, NodeId right) {
     field::Formula formula;
-    // In the body of a function another call may make something else of it.
-    const bool of_user = !lowering.source->library && !lowering.frame;
-    if (of_user) {
-        formula.span = base::cover(lowering.span(comparison.left), lowering.span(comparison.right));
-    }
     switch (comparison.relation) {
         case Relation::equal:
             formula.kind = field::Kind::sheet;
@@ -37,7 +32,13 @@ FieldValue compare(Lowering& lowering, const Comparison& comparison, NodeId left
             formula.value = difference(lowering.field.graph, right, left);
             break;
     }
-    return {lowering.field.add(formula), 1};
+    const field::FieldId id = lowering.field.add(formula);
+    // In the body of a function another call may make something else of it.
+    if (!lowering.source->library && !lowering.frame) {
+        lowering.comparisons[id] =
+            base::cover(lowering.span(comparison.left), lowering.span(comparison.right));
+    }
+    return {id, 1};
 }
 
 /// The value of a field that stands in an equation: a number is meant, and the surface alone.

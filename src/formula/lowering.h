@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -41,6 +42,7 @@ struct Lowering {
     field::Field field{};
     base::Diagnostics errors{};
     base::Diagnostics warnings{};
+    std::map<field::FieldId, base::SourceSpan> comparisons{};  ///< those of Lowered
     NodeFacts facts{};
     std::set<std::pair<std::uint32_t, std::string>>
         reported{};               ///< places with what is wrong there

@@ -106,6 +106,9 @@ TEST(CheckScene, tells_of_comparisons_that_are_decided) {
     EXPECT_EQ(warning_of("sphere(1) & z < 5"), "");
     // A function may be meant for other calls, too.
     EXPECT_EQ(warning_of("cut(a) = sphere(1) & x^2 >= a\ncut(-1) | cut(0.5)"), "");
+    // A map or a blend may make another comparison of it.
+    EXPECT_EQ(warning_of("square(p) = p.x*p\nsphere(1) \\ map(x <= -1, square)"), "");
+    EXPECT_EQ(warning_of("sphere(1) | displace(x^2 + 0.1 <= 0, -z)"), "");
 }
 
 TEST(CheckScene, points_at_a_decided_comparison) {

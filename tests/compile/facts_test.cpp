@@ -108,6 +108,55 @@ TEST(Facts, of_nothing_and_of_everything) {
     EXPECT_TRUE(facts_of("sphere(9)").whole.full);
 }
 
+TEST(Facts, of_an_object_in_cells_are_those_of_all_its_copies) {
+    const SceneFacts facts =
+        facts_of("repeat(sphere(0.25), (1, 0, 0), (3, 1, 1)) | box(0.1, 0.1, 0.1)");
+    ASSERT_EQ(facts.objects.size(), 2u);
+    const auto& copies = facts.objects[0];
+    ASSERT_TRUE(copies.box);
+    EXPECT_NEAR(copies.box->low.x, -1.25, 0.01);
+    EXPECT_NEAR(copies.box->high.x, 1.25, 0.01);
+    EXPECT_NEAR(copies.box->high.y, 0.25, 0.01);
+    EXPECT_EQ(copies.metric, Metric::none);
+    EXPECT_EQ(copies.regularity.smoothness, Smoothness::discontinuous);
+    EXPECT_EQ(facts.objects[1].metric, Metric::exact);
+}
+
+TEST(Facts, of_an_object_in_cells_within_cells) {
+    const SceneFacts facts = facts_of(
+        "repeat(repeat(sphere(0.05), (0.2, 0, 0), (2, 1, 1)) | torus(0.1, 0.02), (1, 0, 0), "
+        "(3, 1, 1))");
+    ASSERT_EQ(facts.objects.size(), 2u);
+    ASSERT_TRUE(facts.objects[0].box && facts.objects[1].box);
+    EXPECT_NEAR(facts.objects[0].box->high.x, 1.15, 0.01);
+    EXPECT_NEAR(facts.objects[1].box->high.x, 1.12, 0.01);
+}
+
+TEST(Facts, see_the_kinks_that_an_operation_makes) {
+    const std::string halves = "f = iterate a = x for 2:\n    a = a/2\n    distance = a\n";
+    const auto smoothness = [&](const std::string& text) {
+        return facts_of(halves + text).whole.regularity.smoothness;
+    };
+    EXPECT_EQ(smoothness("f"), Smoothness::smooth);
+    EXPECT_EQ(smoothness("complement(f)"), Smoothness::smooth);
+    EXPECT_EQ(smoothness("offset(f, 0.1)"), Smoothness::smooth);
+    EXPECT_EQ(smoothness("displace(f, 0.1*sin(y))"), Smoothness::smooth);
+    EXPECT_EQ(smoothness("displace(f, 0.1*abs(y))"), Smoothness::piecewise);
+    EXPECT_EQ(smoothness("shell(f, 0.1)"), Smoothness::piecewise);
+    EXPECT_EQ(smoothness("f | y <= 0"), Smoothness::piecewise);
+    EXPECT_EQ(smoothness("param a = 1\nif(a > 0, f, y <= 0)"), Smoothness::smooth);
+}
+
+TEST(Facts, count_nothing_that_only_a_lipschitz_constant_is_found_from) {
+    const SceneFacts facts = facts_of(
+        "param a = 3\nwave(p) = (p.x, p.y + sin(a*p.z), p.z)\n"
+        "f = iterate w = x for 2:\n    w = w/2\n    distance = w\nmap(f, wave)");
+    EXPECT_EQ(facts.whole.dependence.point, (std::array{true, false, false}));
+    EXPECT_TRUE(facts.whole.dependence.parameters.empty());
+    EXPECT_EQ(facts.whole.cost.point, 0u);
+    EXPECT_EQ(facts.whole.cost.hoisted, 0u);
+}
+
 TEST(Facts, follow_escape_time_iterations) {
     const SceneFacts facts = facts_of("julia((0, 0, 0, 0), 6)");
     EXPECT_EQ(facts.whole.metric, Metric::estimate);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "field/map_domain.h"
 #include "field/shapes.h"
 #include "graph/build.h"
 
@@ -54,6 +55,14 @@ TEST(Parts, of_a_shape_leave_out_what_only_the_colour_needs) {
     EXPECT_EQ(iteration.start.size(), 1u);
     EXPECT_FALSE(iteration.colour);
     EXPECT_EQ(expressions(node).size(), 5u);
+}
+
+TEST(Parts, of_a_shape_leave_out_what_only_a_lipschitz_constant_is_found_from) {
+    Field field;
+    const FieldId ball = add_primitive(field, "sphere", {1});
+    const FieldId twisted = turn_domain(field, ball, field.graph.variable(graph::variable_z));
+    EXPECT_GT(expressions(field[twisted]).size(), 1u);
+    EXPECT_EQ(expressions(shape(field, twisted)).size(), 1u);
 }
 
 TEST(Parts, below_a_node_are_its_children) {
