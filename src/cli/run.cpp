@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/check_command.h"
+#include "cli/compare_command.h"
 #include "cli/emit_command.h"
 #include "cli/input.h"
 #include "cli/render_command.h"
@@ -22,6 +23,7 @@ namespace {
 struct Arguments {
     InputOptions input;
     CheckOptions check;
+    CompareOptions compare;
     RenderOptions render;
     RenderOutputs outputs;
     Emitted emitted = Emitted::glsl;
@@ -99,6 +101,7 @@ int dispatch(int argc, char** argv) {
     const CLI::App* render = add_render(app, a);
     const CLI::App* check_app = add_check(app, a);
     const CLI::App* emit_app = add_emit(app, a);
+    const CLI::App* compare_app = add_compare(app, a.compare);
     add_studio(app, a);
     try {
         app.parse(argc, argv);
@@ -113,6 +116,7 @@ int dispatch(int argc, char** argv) {
     if (*render) return render_command(a.input, a.render, a.outputs);
     if (*check_app) return check(a.input, a.check);
     if (*emit_app) return emit(a.input, a.render, a.emitted);
+    if (*compare_app) return compare_command(a.compare);
     return studio_command(a);
 }
 
