@@ -13,6 +13,8 @@ struct Answer {
 int zs_undefined = 0;
 // Whether the latest evaluation used a step without a proof.
 bool zs_guess = false;
+// How far along the ray the nearest wall of a cell is.
+real zs_wall = zs_far;
 
 // The way along the ray is one thing, which operand the surface belongs to another: that is told by the
 // estimated distance, since the way may be long right behind a surface.

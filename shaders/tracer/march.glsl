@@ -1,6 +1,6 @@
 #include "tracer/settle.glsl"
 
-// Goes along a ray by the steps that the field allows, to the first surface. The loop that makes the
+// Goes along a ray to the first surface, by the strides of the tracer that is chosen. The loop that makes the
 // steps is kept small, since many lanes go through it together; what happens at its end is rare.
 
 const int zs_miss = 0, zs_hit = 1, zs_unresolved = 2;
@@ -23,8 +23,14 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
     // Once for most rays; again behind a pole, or from the edge of a domain.
     for (int round = 0; round <= limit; ++round) {
         int event = zs_lost;
+        stride_start();
         while (result.steps < limit) {
-            Answer a = field(o + t * d, d);
+            Answer a = stride_answer(o + t * d, d);
+            if (stride_has_parted(a, t - before)) {
+                ++result.steps;
+                t = before + stride_back();
+                continue;
+            }
             if (a.free <= 0.0) {
                 event = zs_crossed;
                 break;
@@ -43,10 +49,11 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
                 event = zs_near;
                 break;
             }
-            t += max(a.free, epsilon);
+            real free = max(a.free, epsilon);
+            t += stride(free, epsilon);
             // A proven step past the end proves a miss; after a guess the end is looked at too.
             if (t > t1) {
-                if (!zs_guess || before >= t1) {
+                if ((!zs_guess && before + free > t1) || before >= t1) {
                     event = zs_left;
                     break;
                 }

@@ -14,8 +14,10 @@ namespace shader {
 
 using field::FieldId;
 
-FieldCode::FieldCode(field::Field of) : field(std::move(of)), plan(field_plan(field)) {
+FieldCode::FieldCode(field::Field of, const Demands& demanded)
+    : field(std::move(of)), demands(demanded), plan(field_plan(field)) {
     differentiate();
+    if (demands.hessians) differentiate_twice();
     make_cheap();
     depends = depends_on_variables(field.graph);
 }
@@ -49,13 +51,24 @@ void FieldCode::differentiate() {
     }
 }
 
+void FieldCode::differentiate_twice() {
+    for (std::size_t i = 0; i < plan.objects.size(); ++i) {
+        const Object& object = plan.objects[i];
+        if (!formula(i) || is_distance(i) || object.blend) continue;
+        const auto rows = passes::gradients(field.graph, gradients.at(object.id));
+        hessians[object.id] = {rows[0][0], rows[1][1], rows[2][2],
+                               rows[0][1], rows[0][2], rows[1][2]};
+    }
+}
+
 /// The last passes see values and derivatives together, which share much.
 void FieldCode::make_cheap() {
     std::vector<graph::NodeId*> places = passes::all_expressions(field);
-    const auto add = [&](Gradient& gradient) {
-        for (graph::NodeId& slope : gradient) places.push_back(&slope);
+    const auto add = [&](auto& slopes) {
+        for (graph::NodeId& slope : slopes) places.push_back(&slope);
     };
     for (auto& [id, gradient] : gradients) add(gradient);
+    for (auto& [id, hessian] : hessians) add(hessian);
     for (auto& [id, rows] : turns) std::ranges::for_each(rows, add);
     for (auto& [id, rates] : wall_rates) std::ranges::for_each(rates, add);
     for (auto& [id, gradient] : displacements) add(gradient);

@@ -15,11 +15,16 @@ namespace shader {
 /// Derivatives by x, y and z.
 using Gradient = std::array<graph::NodeId, 3>;
 
+/// Second derivatives: by x, y and z twice, by x and y, by x and z, by y and z.
+using Hessian = std::array<graph::NodeId, 6>;
+
 /// A field with all the derivatives that its program needs, and the code as it grows.
 struct FieldCode {
     field::Field field;
+    Demands demands;
     FieldPlan plan;
     std::map<field::FieldId, Gradient> gradients;                  ///< of formulas
+    std::map<field::FieldId, Hessian> hessians;                    ///< of those that ask for one
     std::map<field::FieldId, std::array<Gradient, 3>> turns;       ///< of the points of cells
     std::map<field::FieldId, std::vector<Gradient>> wall_rates;    ///< of the walls of cells
     std::map<field::FieldId, std::vector<graph::NodeId>> weights;  ///< of a blend's operands
@@ -29,7 +34,7 @@ struct FieldCode {
     FieldValues values;
     FieldGlsl out;
 
-    explicit FieldCode(field::Field of);
+    FieldCode(field::Field of, const Demands& demands);
 
     const field::Formula* formula(std::size_t object) const {
         return std::get_if<field::Formula>(&field[plan.objects[object].id]);
@@ -40,6 +45,11 @@ struct FieldCode {
     bool is_sheet(std::size_t object) const {
         return formula(object) && formula(object)->kind == field::Kind::sheet;
     }
+    /// Whether the leaf answers with a distance that it has, not with one found by derivatives.
+    bool is_distance(std::size_t object) const {
+        return formula(object) && formula(object)->metric == field::Metric::distance &&
+               !is_sheet(object);
+    }
     /// Writes expressions of the point that GLSL calls `p`.
     ExpressionWriter writer(const std::string& p = "p");
     /// Keeps what the statements of a writer need.
@@ -49,6 +59,7 @@ struct FieldCode {
 
 private:
     void differentiate();
+    void differentiate_twice();
     void make_cheap();
 };
 

@@ -8,8 +8,8 @@
 #include "shader/field_code.h"
 
 namespace shader {
-FieldGlsl field_glsl(field::Field field, bool count_evaluations) {
-    FieldCode code(std::move(field));
+FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands) {
+    FieldCode code(std::move(field), demands);
     code.out.code += fmt::format("const bool zs_has_edges = {};\n", code.edges);
     write_leaves(code);
     write_cells(code);

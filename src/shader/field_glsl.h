@@ -10,6 +10,11 @@
 
 namespace shader {
 
+/// What a tracer asks of formulas beyond value and gradient.
+struct Demands {
+    bool hessians = false;  ///< the norm of the Hessian at each point, in place of bounds
+};
+
 /// Generated code, and what it needs.
 struct FieldGlsl {
     std::string code;
@@ -31,6 +36,6 @@ struct FieldGlsl {
 ///   real object_distance(i, p)      the value of an iteration or blend; only if there are any
 ///   bool object_colour(i, p, colour)  a leaf's own colour, if it has one; only if some leaf has
 /// The field's graph gets the derivatives' nodes, hence the copy.
-FieldGlsl field_glsl(field::Field field, bool count_evaluations);
+FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands = {});
 
 }  // namespace shader

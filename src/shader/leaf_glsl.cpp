@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The functions of leaves.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "shader/field_code.h"
@@ -62,13 +64,39 @@ void write_distance(FieldCode& code, std::size_t i, const field::Formula& leaf) 
     code.needs("leaf/distance.glsl");
 }
 
-void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf) {
-    write_value_and_gradient(code, i, leaf);
+/// Value, gradient and the norm of the Hessian in one function.
+void write_second_order(FieldCode& code, std::size_t i, const field::Formula& leaf,
+                        const Hessian& h) {
+    ExpressionWriter w = code.writer();
+    const Gradient& g = code.gradients.at(code.plan.objects[i].id);
+    const std::array roots{leaf.value, g[0], g[1], g[2], h[0], h[1], h[2], h[3], h[4], h[5]};
+    code.out.code += fmt::format("real value_{}(real3 p, out real3 g, out real m) {{\n", i);
+    code.out.code += w.statements(roots, "    ");
+    std::array<std::string, 10> s;
+    std::ranges::transform(roots, s.begin(), [&](NodeId root) { return w.spelling(root); });
+    code.out.code += fmt::format(
+        "    g = real3({}, {}, {});\n"
+        "    m = hessian_norm(real3({}, {}, {}), real3({}, {}, {}));\n"
+        "    return {};\n}}\n",
+        s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9], s[0]);
+    code.finish(w);
+}
+
+/// What the step knows of a leaf's derivatives in the region.
+std::string region_bounds(FieldCode& code, std::size_t i) {
     // One after the other: the order of arguments is the compiler's choice.
     const std::string lipschitz = bound(code, FieldValue::What::inverse_lipschitz, i);
     const std::string second = bound(code, FieldValue::What::second_derivative, i);
     const std::string first = bound(code, FieldValue::What::first_order, i);
-    const std::string bounds = fmt::format("real3({}, {}, {})", lipschitz, second, first);
+    return fmt::format("real3({}, {}, {})", lipschitz, second, first);
+}
+
+void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf) {
+    write_value_and_gradient(code, i, leaf);
+    const auto hessian = code.hessians.find(code.plan.objects[i].id);
+    const bool second_order = hessian != code.hessians.end();
+    if (second_order) write_second_order(code, i, leaf, hessian->second);
+    const std::string bounds = second_order ? "real3(0.0, m, 0.0)" : region_bounds(code, i);
     const bool sheet = leaf.kind == field::Kind::sheet;
     const std::string answer =
         sheet ? fmt::format("sheet_answer(f, g, d, {}, side_{}, now_{}, {})", bounds, i, i, i)
@@ -77,10 +105,11 @@ void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf) {
     code.out.code += fmt::format(
         "Answer leaf_{0}(real3 p, real3 d) {{\n"
         "    real3 g;\n"
-        "    real f = value_{0}(p, g);\n"
+        "{2}"
+        "    real f = value_{0}(p, g{3});\n"
         "    return {1};\n"
         "}}\n",
-        i, answer);
+        i, answer, second_order ? "    real m;\n" : "", second_order ? ", m" : "");
     code.needs(sheet ? "leaf/sheet.glsl" : "leaf/formula.glsl");
 }
 
@@ -90,7 +119,7 @@ void write_leaves(FieldCode& code) {
     for (std::size_t i = 0; i < code.plan.objects.size(); ++i) {
         if (const auto* iteration = code.iteration(i)) {
             write_iteration(code, i, *iteration);
-        } else if (code.formula(i)->metric == field::Metric::distance && !code.is_sheet(i)) {
+        } else if (code.is_distance(i)) {
             write_distance(code, i, *code.formula(i));
         } else {
             write_scalar(code, i, *code.formula(i));

@@ -12,27 +12,45 @@
 namespace shader {
 namespace {
 
-/// A tracer: its name, and the file that says how far a formula lets a ray go.
+/// A tracer: its name, how far a formula lets a ray go, how far a ray goes then, and what it asks
+/// of formulas.
 struct Tracer {
     TracerName name;
     std::string_view step_part;
+    std::string_view stride_part = "tracer/as_answered.glsl";
+    Demands demands{};
 };
 
-constexpr std::array<Tracer, 3> table{{
-    {{"auto",
-      "certified steps from bounds of the first and second derivative, first order where "
-      "those are too large (default)"},
-     "step/auto.glsl"},
-    {{"sphere", "sphere tracing: the value over the region's Lipschitz constant"},
-     "step/sphere.glsl"},
-    {{"first-order", "the value over the gradient at the point: fast, may miss surfaces"},
-     "step/first_order.glsl"},
-}};
+constexpr std::array table{
+    Tracer{{"auto",
+            "certified steps from bounds of the first and second derivative, first order where "
+            "those are too large (default)"},
+           "step/auto.glsl"},
+    Tracer{{"march",
+            "steps of one length, the diagonal of the bounds over 7/8 of the steps: misses what is "
+            "thinner"},
+           "step/march.glsl",
+           "tracer/fixed.glsl"},
+    Tracer{{"sphere", "sphere tracing: the value over the region's Lipschitz constant"},
+           "step/sphere.glsl"},
+    Tracer{{"relaxed",
+            "sphere tracing by steps that are 1.6 times as long, and back where two spheres part: "
+            "as safe as 'sphere'"},
+           "step/sphere.glsl",
+           "tracer/relaxed.glsl"},
+    Tracer{{"first-order", "the value over the gradient at the point: fast, may miss surfaces"},
+           "step/first_order.glsl"},
+    Tracer{{"second-order",
+            "the distance by the gradient and the Hessian at the point: slower than the first "
+            "order, misses less"},
+           "step/second_order.glsl",
+           "tracer/as_answered.glsl",
+           {.hessians = true}},
+};
 
-std::string_view step_part(std::string_view tracer) {
-    const auto found =
-        std::ranges::find(table, tracer, [](const Tracer& t) { return t.name.name; });
-    return found == table.end() ? table[0].step_part : found->step_part;
+const Tracer& tracer_of(std::string_view name) {
+    const auto found = std::ranges::find(table, name, [](const Tracer& t) { return t.name.name; });
+    return found == table.end() ? table[0] : *found;
 }
 
 std::string outputs_code(const Features& features) {
@@ -80,7 +98,8 @@ std::vector<TracerName> tracers() {
 }
 
 ProgramSource program_source(const field::Field& field, const Features& features) {
-    FieldGlsl generated = field_glsl(field, features.outputs.count);
+    const Tracer& tracer = tracer_of(features.tracer);
+    FieldGlsl generated = field_glsl(field, features.outputs.count, tracer.demands);
     Assembly assembly;
     assembly.add_code("#version 450 core\n");
     assembly.add_part("common/real.glsl");
@@ -92,12 +111,13 @@ ProgramSource program_source(const field::Field& field, const Features& features
     }
     assembly.add_part("common/answer.glsl");
     for (const std::string& part : generated.operator_parts) assembly.add_part(part);
-    assembly.add_part(step_part(features.tracer));
+    assembly.add_part(tracer.step_part);
     for (const std::string& part : generated.leaf_parts) assembly.add_part(part);
     assembly.add_code(generated.code);
     assembly.add_part(features.bounds_sphere ? "region/sphere.glsl"
                       : features.bounds_box  ? "region/box.glsl"
                                              : "region/none.glsl");
+    assembly.add_part(tracer.stride_part);
     assembly.add_part("tracer/march.glsl");
     if (generated.needs_differences) assembly.add_part("normal/differences.glsl");
     assembly.add_part("normal/normal.glsl");

@@ -145,9 +145,10 @@ void write_tree(FieldCode& code, bool count_evaluations) {
         "    zs_undefined = 0;\n"
         "    zs_guess = false;\n"
         "    zs_point = p;\n"
-        "{}{}    return {};\n"
+        "{}{}{}    return {};\n"
         "}}\n",
         count_evaluations ? "int zs_evaluations = 0;\n" : "",
+        code.plan.cells.empty() ? "" : "    zs_wall = zs_far;\n",
         count_evaluations ? "    ++zs_evaluations;\n" : "", tree.body(), root);
 }
 

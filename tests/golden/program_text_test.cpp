@@ -73,6 +73,27 @@ TEST_P(ProgramText, passes_the_reference_compiler) {
     EXPECT_EQ(exit_status, 0) << fragment << '\n' << (text ? *text : "");
 }
 
+TEST_P(ProgramText, passes_the_reference_compiler_with_every_tracer) {
+    const fs::path folder = fs::path(ZEROSET_BINARY_DIR) / "golden-programs";
+    fs::create_directories(folder);
+    scene::Document document = read(GetParam());
+    std::string flat = fs::path(GetParam()).replace_extension().generic_string();
+    std::replace(flat.begin(), flat.end(), '/', '-');
+    std::string files;
+    for (const shader::TracerName& tracer : shader::tracers()) {
+        document.settings.tracer = tracer.name;
+        const fs::path file = folder / fmt::format("{}-{}.frag", flat, tracer.name);
+        const shader::ProgramSource source = program_of(document, {});
+        ASSERT_TRUE(base::write_atomically(file, source.fragment));
+        files += fmt::format(" '{}'", file.string());
+    }
+    const std::string log = (folder / (flat + "-tracers.log")).string();
+    const std::string command = fmt::format("'{}'{} > '{}' 2>&1", GLSLANG_VALIDATOR, files, log);
+    const int exit_status = std::system(command.c_str());
+    const auto text = base::read_text(log, 1 << 20);
+    EXPECT_EQ(exit_status, 0) << (text ? *text : "");
+}
+
 std::string name_of(const testing::TestParamInfo<std::string>& info) {
     std::string name;
     for (const char c : info.param) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';

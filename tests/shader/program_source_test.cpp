@@ -132,6 +132,36 @@ TEST(ProgramSource, tells_tracers_apart_and_takes_an_unknown_one_for_the_first) 
     EXPECT_EQ(tracers()[0].name, "auto");
 }
 
+TEST(ProgramSource, has_second_derivatives_only_for_the_second_order) {
+    Features features;
+    for (const TracerName& tracer : tracers()) {
+        features.tracer = tracer.name;
+        const bool second = tracer.name == "second-order";
+        for (const char* text : formulas) {
+            const field::Field field = field_of(text);
+            const std::string code = program_source(field, features).fragment;
+            for (const char* part : {"hessian_norm", "out real m"}) {
+                if (!second) {
+                    EXPECT_FALSE(has(code, part)) << tracer.name << ": " << text;
+                }
+            }
+        }
+        const std::string code = program("x^3*y = z", features);
+        EXPECT_EQ(has(code, "m = hessian_norm(real3("), second) << tracer.name;
+        EXPECT_EQ(has(code, "field_values"), !second) << "bounds of the region are of no use";
+    }
+}
+
+TEST(ProgramSource, has_one_way_to_stride) {
+    Features features;
+    for (const TracerName& tracer : tracers()) {
+        features.tracer = tracer.name;
+        const std::string code = program(plain, features);
+        EXPECT_EQ(has(code, "zs_sign_only"), tracer.name == "march") << tracer.name;
+        EXPECT_EQ(has(code, "zs_relaxation"), tracer.name == "relaxed") << tracer.name;
+    }
+}
+
 TEST(ProgramSource, has_no_comments) {
     for (const char* text : formulas) {
         const ProgramSource source = program_source(field_of(text), {});

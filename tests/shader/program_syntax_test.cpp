@@ -89,6 +89,17 @@ TEST(ProgramSyntax, is_valid_for_every_formula_with_everything_on) {
     programs.expect_valid();
 }
 
+TEST(ProgramSyntax, is_valid_for_every_formula_with_every_tracer) {
+    Programs programs;
+    Features features;
+    features.outputs = {true, true, true, true};
+    for (const TracerName& tracer : tracers()) {
+        features.tracer = tracer.name;
+        for (const char* text : formulas) programs.add(field_of(text), features);
+    }
+    programs.expect_valid();
+}
+
 TEST(ProgramSyntax, is_valid_for_all_features) {
     for (const char* text : {formulas[0], formulas[8], formulas[12]}) {
         Programs programs;

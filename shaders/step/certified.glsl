@@ -1,0 +1,23 @@
+// The certified step of a smooth formula: by Taylor along the ray |f|(t + s) >= v + v' s - M s^2 / 2
+// with M a bound of the second derivative, and by the Lipschitz constant v - L s; the longer of the
+// two. Where neither is good, half of the first-order distance (heuristic).
+//   v = |f|, slope = d|f|/dt along the ray, first = |f| / |grad f|
+//   bounds = 1 / L (0 if unbounded), M (negative if unbounded), whether the leaf is stiff
+real certified_step(real v, real slope, real first, real3 bounds) {
+    real s = v * bounds.x;
+    if (bounds.y >= 0.0) {
+        real root = sqrt(slope * slope + 2.0 * bounds.y * v);
+        // For a falling |f| the second form: the first would cancel.
+        real ahead = slope < 0.0 ? 2.0 * v / (root - slope)
+                                 : (bounds.y > 0.0 ? (slope + root) / bounds.y : zs_far);
+        s = max(s, ahead);
+    }
+    if (bounds.z > 0.0) {
+        real guess = min(0.5 * first, blind_step());
+        if (guess > s) {
+            s = guess;
+            zs_guess = true;
+        }
+    }
+    return s;
+}
