@@ -2,7 +2,6 @@
 #include "cli/render_options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -10,7 +9,7 @@
 
 #include "cli/number.h"
 #include "cli/set_parameter.h"
-#include "render/still.h"
+#include "cli/size.h"
 #include "shader/program_source.h"
 
 namespace cli {
@@ -41,32 +40,6 @@ glm::dvec3 vector(std::string_view text, std::string_view option) {
     return {list[0], list[1], list[2]};
 }
 
-int whole(std::string_view text, std::string_view option) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) {
-        throw CLI::ValidationError(std::string(option),
-                                   fmt::format("'{}' is not a whole number", text));
-    }
-    return value;
-}
-
-void parse_size(std::string_view text, RenderOptions& options) {
-    const std::size_t cross = text.find('x');
-    if (cross == std::string_view::npos) {
-        throw CLI::ValidationError("--size",
-                                   fmt::format("'{}' should be WxH, such as 1280x720", text));
-    }
-    options.width = whole(text.substr(0, cross), "--size");
-    options.height = whole(text.substr(cross + 1), "--size");
-    if (std::min(options.width, options.height) < 1 ||
-        std::max(options.width, options.height) > render::largest_side) {
-        throw CLI::ValidationError(
-            "--size", fmt::format("{} is out of range; width and height go from 1 to {}", text,
-                                  render::largest_side));
-    }
-}
-
 void parse_region(std::string_view text, RenderOptions& options) {
     std::array<int, 4> region{};
     std::size_t begin = 0;
@@ -75,7 +48,7 @@ void parse_region(std::string_view text, RenderOptions& options) {
         if ((comma == text.size()) != (i == 3)) {
             throw CLI::ValidationError("--region", fmt::format("'{}' should be X,Y,W,H", text));
         }
-        region[i] = whole(text.substr(begin, comma - begin), "--region");
+        region[i] = whole_number(text.substr(begin, comma - begin), "--region");
         begin = comma + 1;
     }
     options.region = region;
@@ -140,8 +113,11 @@ void add_number(CLI::App& command, const std::string& name, const std::string& h
 }
 
 void add_camera_options(CLI::App& command, RenderOptions& o) {
-    add(command, "--size", "WxH", "Pixels (1280x720)",
-        [&o](const std::string& text) { parse_size(text, o); });
+    add(command, "--size", "WxH", "Pixels (1280x720)", [&o](const std::string& text) {
+        const Size size = parse_size(text, "--size");
+        o.width = size.width;
+        o.height = size.height;
+    });
     add(command, "--region", "X,Y,W,H", "Only this part of the picture, from the left and the top",
         [&o](const std::string& text) { parse_region(text, o); });
     add(command, "--eye", "X,Y,Z", "Where the camera is",
@@ -168,7 +144,7 @@ void add_tracing_options(CLI::App& command, RenderOptions& o) {
         ->check(CLI::IsMember(names))
         ->type_name("NAME");
     add(command, "--steps", "N", "Most steps of a ray", [&o](const std::string& text) {
-        const int value = whole(text, "--steps");
+        const int value = whole_number(text, "--steps");
         if (value < 1 || value > 100000) {
             throw CLI::ValidationError("--steps",
                                        text + " is out of range; it goes from 1 to 100000");

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/bench_command.h"
 #include "cli/check_command.h"
 #include "cli/compare_command.h"
 #include "cli/emit_command.h"
@@ -26,6 +27,7 @@ struct Arguments {
     CompareOptions compare;
     RenderOptions render;
     RenderOutputs outputs;
+    BenchOptions bench;
     Emitted emitted = Emitted::glsl;
     std::string studio_preset;
 };
@@ -93,14 +95,24 @@ int studio_command(const Arguments& a) {
     return status ? success : failed;
 }
 
+/// As it would be typed, but for quotes; the program under its name.
+std::string command_line(int argc, char** argv) {
+    std::string text = "zeroset";
+    for (int i = 1; i < argc; ++i) text += std::string(" ") + argv[i];
+    return text;
+}
+
 int dispatch(int argc, char** argv) {
+    Arguments a;
+    a.bench.command = command_line(argc, argv);
     CLI::App app("Zeroset: a studio for implicit surfaces and 3-D fractals", "zeroset");
     app.set_version_flag("--version", "zeroset " ZEROSET_VERSION);
     app.require_subcommand(0, 1);
-    Arguments a;
     const CLI::App* render = add_render(app, a);
     const CLI::App* check_app = add_check(app, a);
     const CLI::App* emit_app = add_emit(app, a);
+    CLI::App* bench_app = app.add_subcommand("bench", "Measures run time against error");
+    add_bench_options(*bench_app, a.bench);
     const CLI::App* compare_app = add_compare(app, a.compare);
     add_studio(app, a);
     try {
@@ -116,6 +128,7 @@ int dispatch(int argc, char** argv) {
     if (*render) return render_command(a.input, a.render, a.outputs);
     if (*check_app) return check(a.input, a.check);
     if (*emit_app) return emit(a.input, a.render, a.emitted);
+    if (*bench_app) return bench_command(a.bench);
     if (*compare_app) return compare_command(a.compare);
     return studio_command(a);
 }

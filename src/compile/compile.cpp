@@ -62,8 +62,7 @@ base::Result<Formula> compile_formula(std::string_view text) {
     return formula;
 }
 
-shader::ProgramSource program_source(const Formula& formula, const scene::Document& document,
-                                     shader::Outputs outputs) {
+shader::Features features(const scene::Document& document, const shader::Outputs& outputs) {
     const scene::Settings& settings = document.settings;
     shader::Features features;
     features.tracer = settings.tracer;
@@ -73,7 +72,12 @@ shader::ProgramSource program_source(const Formula& formula, const scene::Docume
     features.grid = settings.grid;
     features.show_steps = settings.show_steps;
     features.outputs = outputs;
-    return shader::program_source(formula.field, features);
+    return features;
+}
+
+shader::ProgramSource program_source(const Formula& formula, const scene::Document& document,
+                                     shader::Outputs outputs) {
+    return shader::program_source(formula.field, features(document, outputs));
 }
 
 std::vector<float> field_values(const Formula& formula, const shader::ProgramSource& source,

@@ -30,6 +30,9 @@ struct Formula {
 /// Spans are bytes of the text. All problems are reported, not only the first.
 base::Result<Formula> compile_formula(std::string_view text);
 
+/// What of a document changes the program.
+shader::Features features(const scene::Document& document, const shader::Outputs& outputs);
+
 /// The program that draws this document's picture; depends on the formula and on what is switched
 /// on, never on a parameter's value. `outputs` says what is written per pixel.
 shader::ProgramSource program_source(const Formula& formula, const scene::Document& document,

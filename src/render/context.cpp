@@ -9,6 +9,11 @@ std::string Context::renderer() const {
     return text ? reinterpret_cast<const char*>(text) : "unknown";
 }
 
+std::string Context::version() const {
+    const GLubyte* text = gl_.GetString(GL_VERSION);
+    return text ? reinterpret_cast<const char*>(text) : "unknown";
+}
+
 int Context::largest_size() const {
     GLint size = 0;
     gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);

@@ -24,6 +24,8 @@ public:
     const Gl& gl() const { return gl_; }
     /// The driver's own string (GL_RENDERER).
     std::string renderer() const;
+    /// Versions of OpenGL and of the driver (GL_VERSION).
+    std::string version() const;
     /// GL_MAX_TEXTURE_SIZE.
     int largest_size() const;
 

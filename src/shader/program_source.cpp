@@ -77,8 +77,8 @@ std::string outputs_code(const Features& features) {
 }
 
 void add_picture_parts(Assembly& assembly, const Features& features, bool own_colours) {
-    if (features.show_steps) {
-        assembly.add_part("output/steps.glsl");
+    if (features.show_steps || features.show_normals) {
+        assembly.add_part(features.show_steps ? "output/steps.glsl" : "output/normals.glsl");
         return;
     }
     assembly.add_part(features.shadows ? "light/soft_shadow.glsl" : "light/visibility_all.glsl");
@@ -117,8 +117,8 @@ ProgramSource program_source(const field::Field& field, const Features& features
     assembly.add_part(features.bounds_sphere ? "region/sphere.glsl"
                       : features.bounds_box  ? "region/box.glsl"
                                              : "region/none.glsl");
-    assembly.add_part(tracer.stride_part);
-    assembly.add_part("tracer/march.glsl");
+    if (!features.told_depth) assembly.add_part(tracer.stride_part);
+    assembly.add_part(features.told_depth ? "tracer/told.glsl" : "tracer/march.glsl");
     if (generated.needs_differences) assembly.add_part("normal/differences.glsl");
     assembly.add_part("normal/normal.glsl");
     if (features.outputs.picture) add_picture_parts(assembly, features, generated.has_colours);

@@ -37,6 +37,9 @@ struct Features {
     bool shadows = true;
     bool grid = false;
     bool show_steps = false;
+    /// For measuring: colour the normal, or follow no ray but be told its depth (tracer/told.glsl).
+    bool show_normals = false;
+    bool told_depth = false;
     Outputs outputs;
 
     friend bool operator==(const Features&, const Features&) = default;

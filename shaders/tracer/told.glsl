@@ -1,0 +1,25 @@
+// No ray is followed: how far each goes is told from outside, and the field is asked there once. What
+// is left is the least that any tracer has to do. For measuring.
+
+const int zs_miss = 0, zs_hit = 1, zs_unresolved = 2;
+
+struct Trace {
+    int status;
+    real t;       // the depth of a hit
+    int object;   // of a hit
+    bool turned;  // whether the object's f grows towards the inside there
+    bool cap;     // the hit is where a solid is cut by the bounds, or the eye is inside
+    int steps;
+};
+
+// A pixel each, the first row at the top; +infinity for a miss.
+layout(binding = 0) uniform sampler2D told_depth;
+
+Trace trace(real3 o, real3 d, real t0, real t1) {
+    real t = texelFetch(told_depth, ivec2(gl_FragCoord.xy), 0).r;
+    if (isinf(t)) return Trace(zs_miss, t1, -1, false, false, 0);
+    field_start();
+    Answer a = field(o + t * d, d);
+    bool cap = t <= t0 + 4.0 * zs_relative_step * t0;
+    return Trace(zs_hit, t, max(a.object, 0), a.turned, cap, 1);
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Timing many things side by side.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace bench {
+
+/// Calls `draw` once a round for each of 0 to count - 1, in another order each round, so that a
+/// slow moment of the machine hits all alike. What it returns, by number and then by round. The
+/// orders follow from the seed.
+std::vector<std::vector<double>> interleave(std::size_t count, int rounds, std::uint32_t seed,
+                                            const std::function<double(std::size_t)>& draw);
+
+}  // namespace bench

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measure.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bench/interleave.h"
+#include "bench/kept_program.h"
+#include "bench/plain_parts.h"
+#include "bench/statistics.h"
+#include "shader/assembly.h"
+
+namespace bench {
+namespace {
+
+constexpr shader::Outputs picture_only{.picture = true};
+constexpr shader::Outputs counted{
+    .picture = false, .geometry = true, .normal = true, .count = true};
+
+/// What the seconds of a program say.
+enum class Part { yardstick, whole, geometry, normal, shading };
+
+/// Something that is drawn once a round.
+struct Timed {
+    Part part = Part::whole;
+    std::size_t entry = 0;  ///< of the report, unless it is the yardstick
+    std::size_t program = 0;
+    render::Frame frame;
+};
+
+/// The work on one scene as it grows: what is to be drawn, and the report.
+class Measurement {
+public:
+    static base::Result<Measurement> create(render::Context& context, const Subject& subject,
+                                            const Options& options);
+
+    base::Status add_yardstick();
+    base::Status add_tracer(const std::string& tracer);
+    base::Status add_passes(const std::string& tracer);
+    void draw_rounds();
+
+    PresetReport report;
+
+private:
+    Measurement(render::Context& context, const Subject& subject, const Options& options,
+                render::Canvas picture, render::Canvas geometry)
+        : context_(context),
+          subject_(subject),
+          options_(options),
+          picture_(std::move(picture)),
+          geometry_(std::move(geometry)) {}
+
+    scene::Document document(const std::string& tracer, const Move& move) const;
+    render::Frame frame(const scene::Document& document) const;
+    base::Result<KeptProgram> keep_source(const shader::ProgramSource& source);
+    base::Result<std::size_t> add_program(const shader::ProgramSource& source);
+    base::Status count(const shader::ProgramSource& source, std::size_t first_entry);
+    void count_pixels(Entry& entry);
+    double add_timed(Part part, std::size_t entry, std::size_t program,
+                     const scene::Document& document);
+    void tell(const Timed& timed, std::vector<double> seconds);
+
+    render::Context& context_;
+    const Subject& subject_;
+    const Options& options_;
+    render::Canvas picture_, geometry_;
+    std::vector<KeptProgram> programs_;
+    std::vector<Timed> timed_;
+};
+
+base::Result<Measurement> Measurement::create(render::Context& context, const Subject& subject,
+                                              const Options& options) {
+    const auto canvas = [&](const shader::Outputs& outputs) {
+        return render::Canvas::create(context.gl(), options.width, options.height, outputs);
+    };
+    auto picture = canvas(picture_only);
+    if (!picture) return picture.problems();
+    auto geometry = canvas(counted);
+    if (!geometry) return geometry.problems();
+    Measurement made(context, subject, options, std::move(*picture), std::move(*geometry));
+    made.report.preset = subject.name;
+    made.report.smooth = subject.smooth;
+    return made;
+}
+
+scene::Document Measurement::document(const std::string& tracer, const Move& move) const {
+    scene::Document document = subject_.document;
+    document.settings = moved(document.settings, move);
+    document.settings.tracer = tracer;
+    return document;
+}
+
+render::Frame Measurement::frame(const scene::Document& document) const {
+    return render::frame(document, *document.camera,
+                         render::whole(options_.width, options_.height));
+}
+
+base::Result<KeptProgram> Measurement::keep_source(const shader::ProgramSource& source) {
+    return keep(context_, source,
+                compile::field_values(subject_.formula, source, subject_.document));
+}
+
+base::Result<std::size_t> Measurement::add_program(const shader::ProgramSource& source) {
+    auto kept = keep_source(source);
+    if (!kept) return kept.problems();
+    programs_.push_back(std::move(*kept));
+    return programs_.size() - 1;
+}
+
+base::Status Measurement::add_yardstick() {
+    shader::Assembly vertex;
+    vertex.add_part("output/vertex.glsl");
+    const std::string& text = plain_parts().at("yardstick.glsl");
+    const std::string fragment = text.substr(text.find("#version"));
+    const auto program = add_program({vertex.text(), fragment, {}, {}});
+    if (!program) return program.problems();
+    add_timed(Part::yardstick, 0, *program, subject_.document);
+    return base::Done{};
+}
+
+/// Draws it a first time; the seconds of that.
+double Measurement::add_timed(Part part, std::size_t entry, std::size_t program,
+                              const scene::Document& document) {
+    timed_.push_back({part, entry, program, frame(document)});
+    return timed_draw(picture_, programs_[program], timed_.back().frame);
+}
+
+base::Status Measurement::add_tracer(const std::string& tracer) {
+    const scene::Document own = document(tracer, {});
+    const auto program = add_program(compile::program_source(subject_.formula, own, picture_only));
+    if (!program) return program.problems();
+    const std::size_t first = report.entries.size();
+    for (const Move& move : moves(options_.sweeps, subject_.document.settings)) {
+        Entry entry;
+        entry.tracer = tracer;
+        entry.move = move;
+        entry.link_seconds = programs_[*program].link_seconds;
+        report.entries.push_back(std::move(entry));
+        const double seconds =
+            add_timed(Part::whole, report.entries.size() - 1, *program, document(tracer, move));
+        if (move.name.empty()) report.entries.back().first_frame_seconds = seconds;
+    }
+    return count(compile::program_source(subject_.formula, own, counted), first);
+}
+
+/// Draws all settings of one tracer with a program that counts and tells depths.
+base::Status Measurement::count(const shader::ProgramSource& source, std::size_t first_entry) {
+    const auto kept = keep_source(source);
+    if (!kept) return kept.problems();
+    for (std::size_t i = first_entry; i < report.entries.size(); ++i) {
+        Entry& entry = report.entries[i];
+        timed_draw(geometry_, *kept, frame(document(entry.tracer, entry.move)));
+        count_pixels(entry);
+    }
+    return base::Done{};
+}
+
+void Measurement::count_pixels(Entry& entry) {
+    const auto geometry = geometry_.read_geometry();
+    const auto normal = geometry_.read_normal();
+    double evaluations = 0;
+    for (std::size_t i = 0; i < geometry.values.size(); i += 4) {
+        const auto status = static_cast<shader::Status>(geometry.values[i + 2]);
+        entry.hit += status == shader::Status::hit;
+        entry.miss += status == shader::Status::miss;
+        entry.unresolved += status == shader::Status::unresolved;
+        evaluations += normal.values[i + 3];
+    }
+    entry.evaluations = evaluations / (static_cast<double>(geometry.values.size()) / 4);
+}
+
+base::Status Measurement::add_passes(const std::string& tracer) {
+    const Entry* found = find(report, tracer);
+    if (!found) return base::Done{};
+    const auto entry = static_cast<std::size_t>(found - report.entries.data());
+    report.entries[entry].passes = Passes{};
+    const scene::Document own = document(tracer, {});
+    const shader::Features whole = compile::features(own, picture_only);
+    shader::Features geometry = whole, normal = whole, shading = whole;
+    geometry.show_steps = true;
+    normal.show_normals = true;
+    shading.shadows = false;
+    for (const auto& [part, features] :
+         {std::pair{Part::geometry, geometry}, {Part::normal, normal}, {Part::shading, shading}}) {
+        const auto program = add_program(shader::program_source(subject_.formula.field, features));
+        if (!program) return program.problems();
+        add_timed(part, entry, *program, own);
+    }
+    return base::Done{};
+}
+
+void Measurement::tell(const Timed& timed, std::vector<double> seconds) {
+    const double median = quantile(seconds, 0.5);
+    if (timed.part == Part::yardstick) {
+        report.yardstick_seconds = std::move(seconds);
+        return;
+    }
+    Entry& entry = report.entries[timed.entry];
+    switch (timed.part) {
+        case Part::yardstick:
+            break;
+        case Part::whole:
+            if (entry.passes) entry.passes->shadows = median;
+            entry.seconds = std::move(seconds);
+            break;
+        case Part::geometry:
+            entry.passes->geometry = median;
+            break;
+        case Part::normal:
+            entry.passes->normal = median;
+            break;
+        case Part::shading:
+            entry.passes->shading = median;
+            break;
+    }
+}
+
+void Measurement::draw_rounds() {
+    auto seconds = interleave(timed_.size(), options_.rounds, options_.seed, [&](std::size_t i) {
+        return timed_draw(picture_, programs_[timed_[i].program], timed_[i].frame);
+    });
+    for (std::size_t i = 0; i < timed_.size(); ++i) tell(timed_[i], std::move(seconds[i]));
+}
+
+}  // namespace
+
+base::Result<PresetReport> measure(render::Context& context, const Subject& subject,
+                                   const Options& options) {
+    auto work = Measurement::create(context, subject, options);
+    if (!work) return work.problems();
+    if (auto added = work->add_yardstick(); !added) return added.problems();
+    for (const std::string& tracer : options.tracers) {
+        if (auto added = work->add_tracer(tracer); !added) return added.problems();
+    }
+    for (const std::string& tracer : options.passes) {
+        if (auto added = work->add_passes(tracer); !added) return added.problems();
+    }
+    work->draw_rounds();
+    return std::move(work->report);
+}
+
+}  // namespace bench

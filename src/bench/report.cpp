@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "bench/report.h"
+
+#include <algorithm>
+
+namespace bench {
+
+std::array<double, 4> shares(const Passes& passes) {
+    const double normal = std::max(passes.normal, passes.geometry);
+    const double shading = std::max(passes.shading, normal);
+    const double whole = std::max(passes.shadows, shading);
+    if (whole <= 0) return {};
+    return {passes.geometry / whole, (normal - passes.geometry) / whole, (shading - normal) / whole,
+            (whole - shading) / whole};
+}
+
+const Entry* find(const PresetReport& preset, const std::string& tracer, const Move& move) {
+    const auto entry = std::ranges::find_if(
+        preset.entries, [&](const Entry& e) { return e.tracer == tracer && e.move == move; });
+    return entry == preset.entries.end() ? nullptr : &*entry;
+}
+
+const Entry* plain_of(const PresetReport& preset) {
+    const Entry* own = find(preset, std::string(plain_name));
+    return own ? own : find(preset, std::string(plain_sphere_name));
+}
+
+}  // namespace bench

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bench_options.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/size.h"
+#include "shader/program_source.h"
+
+namespace cli {
+namespace {
+
+std::vector<std::string> tracer_names() {
+    std::vector<std::string> names;
+    for (const shader::TracerName& tracer : shader::tracers()) names.emplace_back(tracer.name);
+    return names;
+}
+
+void add_sweep(bench::Options& run, const std::string& text) {
+    auto sweep = bench::read_sweep(text);
+    if (!sweep) throw CLI::ValidationError("--sweep", sweep.problems()[0].message);
+    run.sweeps.push_back(std::move(*sweep));
+}
+
+void add_run_options(CLI::App& command, bench::Options& run) {
+    run.tracers = tracer_names();
+    run.passes = {"auto"};
+    run.sweeps = {{"lipschitz", {0.5, 2, 4}}};
+    command.add_option("--tracers", run.tracers, "Which tracers, with commas between (all)")
+        ->delimiter(',')
+        ->check(CLI::IsMember(tracer_names()))
+        ->type_name("NAMES");
+    command
+        .add_option("--passes", run.passes, "Tracers whose frame is told apart by passes (auto)")
+        ->delimiter(',')
+        ->check(CLI::IsMember(tracer_names()))
+        ->type_name("NAMES");
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--sweep",
+            [&run](const std::vector<std::string>& list) {
+                run.sweeps.clear();
+                for (const std::string& text : list) {
+                    if (text != "none") add_sweep(run, text);
+                }
+            },
+            "Values of a setting that are tried besides the preset's own, such as steps=64,256; of "
+            "lipschitz, steps and epsilon; repeatable; none for none (lipschitz=0.5,2,4)")
+        ->type_name("NAME=VALUES")
+        ->expected(1)
+        ->take_all();
+    command
+        .add_option_function<std::string>(
+            "--size",
+            [&run](const std::string& text) {
+                const Size size = parse_size(text, "--size");
+                run.width = size.width;
+                run.height = size.height;
+            },
+            "Pixels (640x480)")
+        ->type_name("WxH");
+    command.add_option("--rounds", run.rounds, "How often everything is drawn (7)")
+        ->check(CLI::Range(1, 1000))
+        ->type_name("N");
+    command.add_option("--seed", run.seed, "Of the orders in which things are drawn (1)")
+        ->type_name("N");
+}
+
+}  // namespace
+
+void add_bench_options(CLI::App& command, BenchOptions& options) {
+    command.add_option("PRESETS", options.presets,
+                       "Presets, or folders of them, by path or shipped name (all shipped ones)");
+    add_run_options(command, options.run);
+    command.add_option("--backend", options.backend, "The headless OpenGL in use (osmesa)")
+        ->check(CLI::IsMember({"osmesa", "egl"}))
+        ->type_name("osmesa|egl");
+}
+
+}  // namespace cli
