@@ -96,7 +96,7 @@ struct Assignment {
 struct Iterate {
     std::vector<Assignment> state;         ///< what is carried from turn to turn, with its start
     ExpressionId limit{};                  ///< turns at most
-    std::optional<ExpressionId> until;     ///< a Comparison
+    std::optional<ExpressionId> until;     ///< Comparisons, maybe joined
     std::vector<Assignment> body;          ///< in order: state and names of the turn
     std::optional<ExpressionId> distance;  ///< `distance = ...` in the body: of the last state
     std::optional<ExpressionId> colour;    ///< `colour = ...` likewise

@@ -317,11 +317,13 @@ Parsed<ExpressionId> parse_expression(std::string_view text, base::SourceSpan sp
     return run(expression > end, first, text.data() + span.end, state);
 }
 
-Parsed<Front> parse_sum(std::string_view text, base::SourceSpan span, Within within,
-                        Program& program, base::Diagnostics& errors) {
+Parsed<Front> parse_front(std::string_view text, base::SourceSpan span, Extent extent,
+                          Within within, Program& program, base::Diagnostics& errors) {
     Building state{text.data(), program, errors, within};
     Place first = text.data() + span.begin;
-    Parsed<ExpressionId> parsed = run(sum, first, text.data() + span.end, state);
+    const Place last = text.data() + span.end;
+    Parsed<ExpressionId> parsed =
+        extent == Extent::sum ? run(sum, first, last, state) : run(expression, first, last, state);
     if (auto* failure = std::get_if<SyntaxError>(&parsed)) return std::move(*failure);
     return Front{std::get<ExpressionId>(parsed), state.span(first, first).end};
 }

@@ -34,9 +34,12 @@ struct Front {
     std::uint32_t end = 0;  ///< the place in the text behind it
 };
 
-/// Parses as much of the span from its beginning as is one sum: an expression that compares and
-/// joins nothing outside of brackets. What `within` calls a keyword ends it.
-Parsed<Front> parse_sum(std::string_view text, base::SourceSpan span, Within within,
-                        Program& program, base::Diagnostics& errors);
+/// Whether an expression may compare and join outside of brackets, or is a sum, which does not.
+enum class Extent { sum, whole };
+
+/// Parses as much of the span from its beginning as is one expression. What `within` calls a
+/// keyword ends it.
+Parsed<Front> parse_front(std::string_view text, base::SourceSpan span, Extent extent,
+                          Within within, Program& program, base::Diagnostics& errors);
 
 }  // namespace formula

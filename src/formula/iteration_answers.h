@@ -16,7 +16,7 @@ struct Turns {
     graph::VariableId growth{};    ///< stands for |dz/dp|, z the orbit and p the point
     graph::VariableId done{};      ///< the number of turns that are done
     std::optional<Orbit> start{}, next{};  ///< what is known of the orbit first and after a turn
-    /// `until large > small`
+    /// `until large > small`; other conditions are a number that is above 0 where they hold
     struct Until {
         graph::NodeId large{}, small{};
         base::SourceSpan span;

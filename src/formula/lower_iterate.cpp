@@ -2,11 +2,13 @@
 // Lowers iterations: the state, and one turn of it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
 
 #include "formula/built_in.h"
+#include "formula/condition.h"
 #include "formula/iteration_answers.h"
 #include "formula/limits.h"
 #include "formula/orbit.h"
@@ -49,6 +51,13 @@ std::optional<NodeId> lower_limit(Lowering& lowering, ExpressionId id) {
         return std::nullopt;
     }
     return limit;
+}
+
+bool asks_for_equality(const Condition& condition) {
+    if (condition.kind == Condition::Kind::comparison) {
+        return condition.relation == Relation::equal;
+    }
+    return std::ranges::any_of(condition.parts, asks_for_equality);
 }
 
 class IterateLowering {
@@ -140,26 +149,19 @@ private:
 
     void lower_until() {
         const base::SourceSpan span = lowering_.span(*iterate_.until);
-        const auto* condition = std::get_if<Comparison>(&lowering_[*iterate_.until].node);
+        const std::optional<Condition> condition = lower_condition(lowering_, *iterate_.until);
         turns_.failed = turns_.failed || !condition;
         if (!condition) return;
-        const auto left = as_number(lowering_, condition->left, "in a comparison");
-        const auto right = as_number(lowering_, condition->right, "in a comparison");
-        turns_.failed = turns_.failed || !left || !right;
-        if (!left || !right) return;
-        switch (condition->relation) {
-            case Relation::equal:
-                lowering_.error(span, "numbers are seldom equal; end an iteration by '<' or '>'");
-                turns_.failed = true;
-                break;
-            case Relation::less_equal:
-            case Relation::less:
-                turns_.until = {*right, *left, span};
-                break;
-            case Relation::greater_equal:
-            case Relation::greater:
-                turns_.until = {*left, *right, span};
-                break;
+        if (asks_for_equality(*condition)) {
+            lowering_.error(span, "numbers are seldom equal; end an iteration by '<' or '>'");
+            turns_.failed = true;
+        } else if (condition->kind != Condition::Kind::comparison || condition->opposite) {
+            turns_.until = {sign_of(lowering_, *condition), graph().constant(0), span};
+        } else if (condition->relation == Relation::less ||
+                   condition->relation == Relation::less_equal) {
+            turns_.until = {condition->right, condition->left, span};
+        } else {
+            turns_.until = {condition->left, condition->right, span};
         }
     }
 

@@ -169,7 +169,7 @@ struct Printer {
         print(iterate.limit, Level::sum);
         if (iterate.until) {
             out += " until ";
-            print(*iterate.until, Level::comparison);
+            print(*iterate.until, Level::expression);
         }
         out += ':';
         for (const Assignment& it : iterate.body) print_line(it.name, it.value);

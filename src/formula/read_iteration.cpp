@@ -44,29 +44,17 @@ bool read_state(TokenStream& head, Iterate& iterate) {
     return true;
 }
 
-std::optional<Relation> relation_of(std::string_view sign) {
-    for (const Relation relation : {Relation::equal, Relation::less_equal, Relation::less,
-                                    Relation::greater_equal, Relation::greater}) {
-        if (sign == spelling(relation)) return relation;
-    }
-    return std::nullopt;
-}
-
-/// Takes `a > b` behind `until`.
+/// Takes the condition behind `until`.
 bool read_until(TokenStream& head, Iterate& iterate) {
-    const auto left = read_sum(head, Within::iteration);
-    if (!left) return false;
-    const std::optional<Relation> relation = relation_of(head.next());
-    if (!relation) {
-        head.fail("expected a comparison after 'until', such as 'until length(q) > 4'");
-        return false;
+    iterate.until = read_front(head, Extent::whole, Within::iteration);
+    if (!iterate.until) return false;
+    const ExpressionNode& node = head.program[*iterate.until].node;
+    if (std::holds_alternative<Comparison>(node) || std::holds_alternative<Intersection>(node) ||
+        std::holds_alternative<Union>(node)) {
+        return true;
     }
-    head.take();
-    const auto right = read_sum(head, Within::iteration);
-    if (!right) return false;
-    const base::SourceSpan span = base::cover(head.program[*left].span, head.program[*right].span);
-    iterate.until = head.program.add(Comparison{*relation, *left, *right}, span);
-    return true;
+    head.fail("expected a comparison after 'until', such as 'until length(q) > 4'");
+    return false;
 }
 
 /// True if the next token cannot belong to the expression before it.

@@ -139,8 +139,11 @@ IterationText cut_iteration(std::string_view text, std::span<const Token> tokens
                             std::size_t outer) {
     std::size_t line = line_length(text, tokens);
     std::size_t head = colon_end(text, tokens.first(line));
-    while (head == 0 && line < tokens.size() &&
-           (tokens[line].text(text) == "for" || tokens[line].text(text) == "until")) {
+    const auto goes_on = [&](const Token& token) {
+        return token.text(text) == "for" || token.text(text) == "until" ||
+               continues(text, token) == Continues::yes;
+    };
+    while (head == 0 && line < tokens.size() && goes_on(tokens[line])) {
         line += line_length(text, tokens.subspan(line));
         head = colon_end(text, tokens.first(line));
     }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "formula/explain.h"
-#include "formula/grammar.h"
 
 namespace formula {
 
@@ -42,7 +41,7 @@ void TokenStream::fail_behind_expression() {
     errors.push_back(explain(text, statement, {here().begin, "end"}));
 }
 
-std::optional<ExpressionId> read_sum(TokenStream& stream, Within within) {
+std::optional<ExpressionId> read_front(TokenStream& stream, Extent extent, Within within) {
     const std::uint32_t place = stream.here().begin;
     const bool bracket = stream.rest.size() > 1 && stream.rest[1].text(stream.text) == "(";
     if (stream.rest.empty() ||
@@ -53,7 +52,7 @@ std::optional<ExpressionId> read_sum(TokenStream& stream, Within within) {
     const std::size_t errors_before = stream.errors.size();
     const base::SourceSpan span{place, stream.rest.back().span.end};
     const Parsed<Front> parsed =
-        parse_sum(stream.text, span, within, stream.program, stream.errors);
+        parse_front(stream.text, span, extent, within, stream.program, stream.errors);
     if (const auto* failure = std::get_if<SyntaxError>(&parsed)) {
         stream.errors.push_back(explain(stream.text, stream.statement, *failure));
     }

@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.h"
 #include "formula/ast.h"
+#include "formula/grammar.h"
 #include "formula/statements.h"
 #include "formula/words.h"
 
@@ -45,8 +46,11 @@ struct TokenStream {
     void fail_behind_expression();
 };
 
-/// Takes one sum; nothing if it has an error.
-std::optional<ExpressionId> read_sum(TokenStream& stream, Within within);
+/// Takes one expression; nothing if it has an error.
+std::optional<ExpressionId> read_front(TokenStream& stream, Extent extent, Within within);
+inline std::optional<ExpressionId> read_sum(TokenStream& stream, Within within) {
+    return read_front(stream, Extent::sum, within);
+}
 
 /// Takes a label and returns what is between its quotes; `after` what it must stand is for the
 /// error.

@@ -60,6 +60,22 @@ TEST(LowerIterate, until_is_asked_before_each_turn) {
                      0.75);
 }
 
+TEST(LowerIterate, may_end_by_several_comparisons) {
+    const auto turns = [](const std::string& until, double x) {
+        return value_at(
+            "iterate a = x, b = 8 for 9 until " + until + ": a = 2a; b = b/2; distance = turns",
+            {x, 0, 0});
+    };
+    EXPECT_EQ(turns("a > 10 | b < 3", 1), 2);
+    EXPECT_EQ(turns("a > 10 | b < 3", 6), 1);
+    EXPECT_EQ(turns("a > 10 & b < 3", 1), 4);
+    EXPECT_EQ(turns("a > 10 & b < 3", 6), 2);
+    EXPECT_EQ(turns("a > 3 \\ (b >= 3)", 1), 2);
+    EXPECT_EQ(turns("a > 3 \\ (b >= 3)", 0.25), 4);
+    EXPECT_EQ(turns("(a > 10 | b < 3) & i > 2", 6), 3);
+    EXPECT_EQ(turns("a > 1e9 & b < 3", 1), -INFINITY);
+}
+
 TEST(LowerIterate, the_limit_may_be_a_parameter) {
     EXPECT_EQ(value_of("param n = 3\niterate a = 1 for n: a = 2a; distance = a"), 8);
     EXPECT_EQ(value_of("param n = 1e9\niterate a = 0 for n: a = a + 1; distance = a"), 10000);

@@ -100,6 +100,17 @@ private:
         return add(Comparison{relation, left, expression()});
     }
 
+    ExpressionId condition() {
+        switch (next(3)) {
+            case 0:
+                return comparison();
+            case 1:
+                return add(Intersection{chain(Joint::both, {Joint::both, Joint::without})});
+            default:
+                return add(Union{chain(Joint::either, {Joint::either})});
+        }
+    }
+
     ExpressionId component() {
         std::string letters;
         for (unsigned n = 1 + next(4); n > 0; --n) letters += "xyzw"[next(4)];
@@ -159,7 +170,7 @@ private:
             it.state.push_back({std::move(state), {}, expression()});
         }
         it.limit = expression();
-        if (next(2) == 1) it.until = comparison();
+        if (next(2) == 1) it.until = condition();
         within_ = Within::statement;
         for (unsigned n = 1 + next(3); n > 0; --n) {
             std::vector<std::string> any;

@@ -51,6 +51,19 @@ TEST(ReadIteration, a_head_may_run_over_lines) {
           "define a(" + tree + "), formula(x)");
 }
 
+TEST(ReadIteration, may_end_by_several_comparisons) {
+    const auto check_until = [](std::string_view until, const std::string& tree) {
+        check("iterate q = 1 for 3 until " + std::string(until) + ":\n  q = 2",
+              "formula(iterate(state q(1), for(3), until(" + tree + "), set q(2)))");
+    };
+    const std::string two = "union(| compare >(q, 2), | compare <(q, 1))";
+    check_until("q > 2 | q < 1", two);
+    check_until("(q > 2 | q < 1)", two);
+    check_until("q > 2\n    | q < 1", two);
+    check_until("q > 2 & q < x \\ r > 1",
+                "intersection(& compare >(q, 2), & compare <(q, x), \\ compare >(r, 1))");
+}
+
 TEST(ReadIteration, a_definition_ends_where_its_body_ends) {
     check("a = iterate q = 1 for 3:\n  q = 2\n-x = a",
           "define a(iterate(state q(1), for(3), set q(2))), formula(compare =(negate(x), a))");
@@ -99,9 +112,11 @@ TEST(ReadIteration, says_what_its_head_lacks) {
     check_error("iterate q = 1 for 3 until q >:" + body, "1:30: expected an expression after '>'");
     check_error("iterate q = 1 for 3 until 1 < q < 2:" + body,
                 "1:33: comparisons cannot be chained; join two with '&'");
-    check_error("iterate q = 1 for 3 until q > 2 | q < 1:" + body,
-                "1:33: unexpected '|'; an iteration begins like 'iterate q = p for 12 until "
+    check_error("iterate q = 1 | 2 for 3:" + body,
+                "1:15: unexpected '|'; an iteration begins like 'iterate q = p for 12 until "
                 "length(q) > 4:'");
+    check_error("iterate q = 1 for 3 until q > 2 &:" + body,
+                "1:34: expected an expression after '&'");
     check_error("iterate q = a b for 3:" + body,
                 "1:15: no operator between 'a' and 'b'; write 'a*b' for a product");
     check_error("iterate q = 1, 2 for 3:" + body, "1:16: expected a name after ','");
