@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "field/primitives.h"
 #include "formula/arithmetic.h"
 #include "formula/prelude.h"
 #include "formula/user_function.h"
@@ -116,8 +117,11 @@ Value apply(Lowering& lowering, const FunctionValue& function, base::SourceSpan 
             std::span<const Value> arguments) {
     if (has_nothing(arguments)) return Nothing{};
     if (function.definition) return call_user_function(lowering, function, span, arguments);
-    if (is_in_prelude(function.name)) {
-        return call_user_function(lowering, prelude_function(function.name), span, arguments);
+    if (is_in_prelude(function.name) || field::find_primitive(function.name)) {
+        lowering.error(span, fmt::format("'{}' gives a field; it cannot be used as a function of "
+                                         "numbers or vectors",
+                                         function.name));
+        return Nothing{};
     }
     if (!are_operands(lowering, function.name, span, arguments)) return Nothing{};
     if (const Function* of_numbers = find_function(function.name)) {

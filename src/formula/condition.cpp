@@ -59,8 +59,8 @@ std::optional<Condition> from_value(Lowering& lowering, ExpressionId id) {
 std::optional<Condition> lower_condition(Lowering& lowering, ExpressionId id) {
     const ExpressionNode& node = lowering[id].node;
     if (const auto* it = std::get_if<Comparison>(&node)) {
-        const auto left = as_number(lowering, it->left, "in a comparison");
-        const auto right = as_number(lowering, it->right, "in a comparison");
+        const auto left = as_number(lowering, it->left, "in a comparison", join_fields);
+        const auto right = as_number(lowering, it->right, "in a comparison", join_fields);
         if (!left || !right) return std::nullopt;
         return compare(it->relation, *left, *right);
     }

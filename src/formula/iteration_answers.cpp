@@ -39,7 +39,7 @@ public:
         special("turns", turns_.done);
         const Binding* smooth = special("smooth_turns", smooth_);
         std::optional<NodeId> distance;
-        if (iterate_.distance) distance = as_number(lowering_, *iterate_.distance, "as a distance");
+        if (iterate_.distance) distance = lower_distance(*iterate_.distance);
         std::optional<field::Colour> colour;
         if (iterate_.colour) colour = lower_colour(*iterate_.colour);
         failed_ = turns_.failed || (iterate_.distance && !distance) || (iterate_.colour && !colour);
@@ -121,6 +121,12 @@ private:
         it.state.resize(kept);
         it.start.resize(kept);
         it.step.resize(kept);
+    }
+
+    std::optional<NodeId> lower_distance(ExpressionId id) {
+        const std::string hint =
+            fmt::format("write a number, such as '(length({}) - 1)/growth'", orbit_name());
+        return as_number(lowering_, id, "as a distance", hint);
     }
 
     std::optional<field::Colour> lower_colour(ExpressionId id) {

@@ -57,12 +57,12 @@ std::optional<NodeId> side(Lowering& lowering, ExpressionId id, bool equation) {
     constexpr std::string_view where = "in a comparison";
     const ExpressionNode& node = lowering[id].node;
     const bool solid = std::holds_alternative<Call>(node) || std::holds_alternative<Name>(node);
-    if (!equation || !solid) return as_number(lowering, id, where);
+    if (!equation || !solid) return as_number(lowering, id, where, join_fields);
     const Value value = lower_expression(lowering, id);
     if (const auto* field = std::get_if<FieldValue>(&value)) {
         if (const auto number = value_of_field(lowering, *field, lowering.span(id))) return number;
     }
-    return number_of(lowering, id, value, where);
+    return number_of(lowering, id, value, where, join_fields);
 }
 
 }  // namespace

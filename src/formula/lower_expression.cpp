@@ -135,26 +135,27 @@ Value lower_expression(Lowering& lowering, ExpressionId id) {
 std::optional<Value> as_operand(Lowering& lowering, ExpressionId id, std::string_view where) {
     Value value = lower_expression(lowering, id);
     if (std::holds_alternative<VectorValue>(value)) return value;
-    if (const auto number = number_of(lowering, id, value, where)) return *number;
+    if (const auto number = number_of(lowering, id, value, where, join_fields)) return *number;
     return std::nullopt;
 }
 
 std::optional<NodeId> number_of(Lowering& lowering, ExpressionId id, const Value& value,
-                                std::string_view where) {
+                                std::string_view where, std::string_view with_field) {
     if (const auto* number = std::get_if<NodeId>(&value)) return *number;
     if (is_nothing(value) || report_function(lowering, lowering.span(id), value)) {
         return std::nullopt;
     }
     const bool field = std::holds_alternative<FieldValue>(value);
-    lowering.error(lowering.span(id),
-                   fmt::format("{} cannot be used {}; {}", describe(lowering, id, value), where,
-                               field ? "join fields with '|', '&' or '\\'"
-                                     : "take its length(…) or a component such as .x"));
+    lowering.error(
+        lowering.span(id),
+        fmt::format("{} cannot be used {}; {}", describe(lowering, id, value), where,
+                    field ? with_field : "take its length(…) or a component such as .x"));
     return std::nullopt;
 }
 
-std::optional<NodeId> as_number(Lowering& lowering, ExpressionId id, std::string_view where) {
-    return number_of(lowering, id, lower_expression(lowering, id), where);
+std::optional<NodeId> as_number(Lowering& lowering, ExpressionId id, std::string_view where,
+                                std::string_view with_field) {
+    return number_of(lowering, id, lower_expression(lowering, id), where, with_field);
 }
 
 std::optional<FieldValue> as_field(Lowering& lowering, ExpressionId id) {

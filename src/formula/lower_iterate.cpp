@@ -74,6 +74,7 @@ public:
         if (limit) turns_.iteration.limit = *limit;
         turns_.failed = !limit;
         InnerScope scope(lowering_);
+        scope.names.iteration = &iterate_;
         name_turns();
         for (std::size_t i = 0; i < starts.size(); ++i) add_state(i, starts[i]);
         if (iterate_.until) lower_until();

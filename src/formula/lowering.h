@@ -82,13 +82,19 @@ public:
 
 Value lower_expression(Lowering& lowering, ExpressionId id);
 
+/// What to do with fields where numbers are calculated with or compared, and in other places.
+inline constexpr std::string_view join_fields = "join fields with '|', '&' or '\\'";
+inline constexpr std::string_view write_a_number = "write a number in its place";
+
 /// The value of an expression where only a number can stand; an error otherwise. `where` ends the
-/// sentence "a field cannot be used ...".
-std::optional<graph::NodeId> as_number(Lowering& lowering, ExpressionId id, std::string_view where);
+/// sentence "a field cannot be used ...", after which stands what to do with it.
+std::optional<graph::NodeId> as_number(Lowering& lowering, ExpressionId id, std::string_view where,
+                                       std::string_view with_field = write_a_number);
 
 /// The same of a value that the expression has been lowered to.
 std::optional<graph::NodeId> number_of(Lowering& lowering, ExpressionId id, const Value& value,
-                                       std::string_view where);
+                                       std::string_view where,
+                                       std::string_view with_field = write_a_number);
 
 /// The value of an expression where a field must stand: a number is the sheet where it is 0.
 std::optional<FieldValue> as_field(Lowering& lowering, ExpressionId id);

@@ -63,6 +63,28 @@ std::string path_to_itself(const Lowering& lowering, std::string_view name,
     return fmt::format("{}", fmt::join(cycle(lowering.source->program, from, name), " → "));
 }
 
+/// What is wrong with a name that an iteration around its place knows, but not there.
+std::string wrong_in_iteration(const Lowering& lowering, std::string_view name) {
+    const Scope* scope = lowering.scope;
+    while (scope && !scope->iteration) scope = scope->outer;
+    if (!scope) return "";
+    const Iterate& iterate = *scope->iteration;
+    if (std::ranges::find(iterate.body, name, &Assignment::name) != iterate.body.end()) {
+        return fmt::format(
+            "'{0}' lasts for one turn only; to carry it along, give it an initial value: 'iterate "
+            "{1} = …, {0} = …'",
+            name, iterate.state[0].name);
+    }
+    if (name == "turns") {
+        return "'turns' is known after the last turn, to 'distance' and 'colour'; before, 'i' is "
+               "the number of turns";
+    }
+    if (name == "growth" || name == "smooth_turns") {
+        return fmt::format("'{}' is known after the last turn, to 'distance' and 'colour'", name);
+    }
+    return "";
+}
+
 std::string hint(const Lowering& lowering, std::string_view name, base::SourceSpan span) {
     if (is_run_of_coordinates(name)) {
         return fmt::format("; write '{}' for a product", spell_product(name));
@@ -106,7 +128,10 @@ void report_unknown_name(Lowering& lowering, std::string_view name, base::Source
                 : fmt::format("a definition cannot use itself: {}; repeat with iterate", path));
         return;
     }
-    lowering.error(span, fmt::format("unknown name '{}'{}", name, hint(lowering, name, span)));
+    std::string lost = wrong_in_iteration(lowering, name);
+    lowering.error(span, lost.empty()
+                             ? fmt::format("unknown name '{}'{}", name, hint(lowering, name, span))
+                             : std::move(lost));
 }
 
 std::optional<graph::NodeId> built_in_number(Lowering& lowering, std::string_view name) {

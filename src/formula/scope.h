@@ -39,6 +39,7 @@ struct Scope {
     Scope* outer = nullptr;
     std::size_t visible = all_names;
     std::map<std::string, Binding, std::less<>> names{};
+    const Iterate* iteration = nullptr;  ///< whose names these are
 
     /// Gives a name a meaning, or another one: then it keeps its place and whether it was used.
     Binding& set(std::string_view name, Value value, base::SourceSpan span, Role role);

@@ -42,9 +42,14 @@ TEST(Apply, calls_what_is_built_in_by_its_name) {
 }
 
 TEST(Apply, refuses_what_cannot_take_the_arguments) {
-    EXPECT_EQ(call("sphere", 1),
-              "'sphere' is called with fields; it cannot be used as a function of numbers or "
+    EXPECT_EQ(call("offset", 2),
+              "'offset' is called with fields; it cannot be used as a function of numbers or "
               "vectors");
+    for (const std::string field : {"sphere", "julia"}) {
+        EXPECT_EQ(call(field, 1), "'" + field +
+                                      "' gives a field; it cannot be used as a function of "
+                                      "numbers or vectors");
+    }
     EXPECT_EQ(call("dot", 1), "'dot' cannot be called with 1 argument; it is called 'dot(a, b)'");
     EXPECT_EQ(call("conj", 2), "'conj' cannot be called with 2 arguments; it is called 'conj(q)'");
 }

@@ -69,7 +69,7 @@ TEST(Arguments, tuples_hold_numbers) {
           ".x");
     check("(1, 2, 3, 4, 5)", "1:1: a vector has at most four components");
     check("c = (1, sphere(1))\njulia(c)",
-          "1:9: a field cannot be used in a tuple; join fields with '|', '&' or '\\'");
+          "1:9: a field cannot be used in a tuple; write a number in its place");
     check("(1, 2)", "1:1: a vector of 2 is no field; write an equation or a field");
 }
 

@@ -134,8 +134,8 @@ TEST(Combinations, blends_are_those_of_the_values) {
     check("offset(sphere(1), x)",
           "1:19: the argument 'd' of 'offset' must not depend on x, y or z");
     check("displace(sphere(1), box())",
-          "1:21: a field cannot be used as the argument 'by' of 'displace'; join fields with '|', "
-          "'&' or '\\'");
+          "1:21: a field cannot be used as the argument 'by' of 'displace'; write a number in "
+          "its place");
 }
 
 TEST(Combinations, twist_and_bend_turn_about_z) {
@@ -148,8 +148,8 @@ TEST(Combinations, twist_and_bend_turn_about_z) {
     const double h = 1e-3;
     EXPECT_NEAR(value_at("bend(y = 0, curvature = 0.8)", {h, 0.4 * h * h, 0}), 0, 1e-12);
     check("twist(sphere(1), box())",
-          "1:18: a field cannot be used as the argument 'angle' of 'twist'; join fields with '|', "
-          "'&' or '\\'");
+          "1:18: a field cannot be used as the argument 'angle' of 'twist'; write a number in its "
+          "place");
 }
 
 TEST(Combinations, mirror_keeps_the_side_of_the_normal) {

@@ -234,6 +234,36 @@ TEST(LowerIterate, has_a_number_as_distance) {
           "such as .x");
 }
 
+TEST(LowerIterate, says_that_a_distance_is_no_field) {
+    check("iterate p = (x, y, z) for 3: p = 2p; distance = sphere(1)",
+          "1:49: a field cannot be used as a distance; write a number, such as '(length(p) - "
+          "1)/growth'");
+    check("iterate p = (x, y, z) for sphere(): p = 2p; distance = 1",
+          "1:27: a field cannot be used as the number of turns; write a number in its place");
+}
+
+TEST(LowerIterate, says_how_a_name_outlives_its_turn) {
+    const std::string lost =
+        "'u' lasts for one turn only; to carry it along, give it an initial value: 'iterate p = "
+        "…, u = …'";
+    check("iterate p = x for 3: u = 2p; p = u; distance = u", "1:48: " + lost);
+    check("iterate p = x for 3: u = 2p; p = u; distance = 1; colour = u", "1:60: " + lost);
+    check("iterate p = x for 3 until u > 1: u = 2p; p = u; distance = 1", "1:27: " + lost);
+    check("iterate p = x for 3: p = p + u; u = 1; distance = 1", "1:30: " + lost);
+    EXPECT_EQ(value_of("u = 7\niterate p = x for 3: u = 2p; p = u; distance = u"), 7);
+}
+
+TEST(LowerIterate, says_when_its_answers_are_known) {
+    const std::string end = " is known after the last turn, to 'distance' and 'colour'";
+    check("iterate p = x for 3: p = p*turns; distance = 1",
+          "1:28: 'turns'" + end + "; before, 'i' is the number of turns");
+    check("iterate p = x for 3 until growth > 1: p = 2p; distance = 1", "1:27: 'growth'" + end);
+    check("iterate p = x for 3: p = smooth_turns; distance = 1", "1:26: 'smooth_turns'" + end);
+    check("growth = 0",
+          "1:1: unknown name 'growth'; to define it, type an equation such as x^2 + "
+          "y^2 + z^2 = 1 on the next line");
+}
+
 TEST(LowerIterate, says_what_a_colour_is) {
     check("iterate a = x for 3: a = 2a; distance = a; colour = (a, 1)",
           "1:53: a colour is a number or a vector of 3, not a vector of 2");

@@ -119,5 +119,15 @@ TEST(UserFunction, warns_of_parameters_and_functions_that_are_not_used) {
               "^\n");
 }
 
+TEST(UserFunction, takes_primitives_and_combinations_as_arguments) {
+    const std::string_view twice = "twice(F, d) = F(1) | translate(F(0.5), d)\ntwice(";
+    EXPECT_EQ(value_at(std::string(twice) + "sphere, (0, 0, 2))", {0, 0, 3}), 0.5);
+    EXPECT_EQ(value_at(std::string(twice) + "box, (0, 0, 2))", {0, 0, 4}), 1);
+    const std::string_view join = "join(f) = f(sphere(1), translate(sphere(1), (3, 0, 0)))\njoin(";
+    EXPECT_EQ(value_at(std::string(join) + "union)", {3, 0, 0}), -1);
+    EXPECT_EQ(value_at(std::string(join) + "intersection)", {3, 0, 0}), 2);
+    EXPECT_EQ(value_at("s = sphere\ns(r = 2)", {3, 0, 0}), 1);
+}
+
 }  // namespace
 }  // namespace formula
