@@ -24,8 +24,8 @@ constexpr int triangle_place(int i, int j, int size) { return i * size - i * (i 
 /// Which derivatives are zero whatever the place, because the value does not depend on a variable
 /// or only linearly, is known: such a derivative stays 0 also where the chain rule would multiply
 /// it by an infinity. The others are what the chain rule gives: infinite or NaN where they do not
-/// exist (over intervals: unbounded, `partial` or `jumps`), and those of one side at a kink, as
-/// passes/differentiate.h says. `smooth` tells.
+/// exist (over intervals: unbounded, `partial` or `jumps`), and those of one side at a kink and 0
+/// where a length is 0, as passes/differentiate.h says. `smooth` tells.
 template <class T, int n, int order>
 struct Jet {
     static_assert(n >= 1 && n <= 3 && (order == 1 || order == 2));

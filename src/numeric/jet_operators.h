@@ -107,9 +107,12 @@ template <AnyJet J>
 J div(const J& a, const J& b) {
     return quotient(a, b, a.value / b.value);
 }
+/// Without derivatives where b is 0, and so a too.
 template <AnyJet J>
 J ratio(const J& a, const J& b) {
-    return quotient(a, b, ratio(a.value, b.value));
+    const auto value = ratio(a.value, b.value);
+    if (!is_zero(b.value)) return quotient(a, b, value);
+    return with_kink(J(value), !a.smooth || !b.is_constant());
 }
 
 // Powers, roots and lengths.
@@ -153,13 +156,20 @@ J cbrt(const J& a) {
     return compose(a, root, first, [&] { return -2.0 * (first / (3.0 * a.value)); });
 }
 
+/// a over a length, and 0 where the length is: it has no second derivatives where it stays 0.
+template <class T>
+T over_length(const T& a, const T& length) {
+    return is_zero(length) ? T(0.0) : a / length;
+}
+
 template <AnyJet J>
 J hypot(const J& a, const J& b) {
     using T = typename J::Number;
     const T f = hypot(a.value, b.value);
     const T by_a = ratio(a.value, f), by_b = ratio(b.value, f);
     const J result = compose(std::array{&a, &b}, f, std::array<T, 2>{by_a, by_b}, [&] {
-        return std::array<T, 3>{square(by_b) / f, neg(by_a * by_b / f), square(by_a) / f};
+        return std::array<T, 3>{over_length(square(by_b), f), neg(over_length(by_a * by_b, f)),
+                                over_length(square(by_a), f)};
     });
     return with_kink(result, !result.is_constant() && may_be(f, 0));
 }
@@ -171,8 +181,10 @@ J hypot3(const J& a, const J& b, const J& c) {
     const T by_a = ratio(a.value, f), by_b = ratio(b.value, f), by_c = ratio(c.value, f);
     const auto result = compose(std::array{&a, &b, &c}, f, std::array<T, 3>{by_a, by_b, by_c}, [&] {
         const T aa = square(by_a), bb = square(by_b), cc = square(by_c);
-        return std::array<T, 6>{(bb + cc) / f, neg(by_a * by_b / f), neg(by_a * by_c / f),
-                                (aa + cc) / f, neg(by_b * by_c / f), (aa + bb) / f};
+        const auto mixed = [&](const T& p, const T& q) { return neg(over_length(p * q, f)); };
+        return std::array<T, 6>{over_length(bb + cc, f), mixed(by_a, by_b),
+                                mixed(by_a, by_c),       over_length(aa + cc, f),
+                                mixed(by_b, by_c),       over_length(aa + bb, f)};
     });
     return with_kink(result, !result.is_constant() && may_be(f, 0));
 }

@@ -44,6 +44,7 @@ struct Chain {
     Expr f, a, b, c;
     Slope da, db, dc, dd;
 
+    Slope quotient() const { return (da - db * f) / b; }
     Slope power() const {
         if (!db) return da * (b * pow(a, b - 1.0));
         return (db * log(a) + da * b / a) * f;
@@ -68,8 +69,9 @@ struct Chain {
             case Op::mul:
                 return da * b + db * a;
             case Op::div:
-            case Op::ratio:
-                return (da - db * f) / b;
+                return quotient();
+            case Op::ratio:  // 0 where both are: what has no length stays that way
+                return select(graph, Expr(graph, 0.0), b, quotient(), std::nullopt);
             case Op::pow:
                 return power();
             case Op::sqrt:

@@ -24,8 +24,8 @@ struct Seed {
 /// is 0; select_less that of the branch taken. Of floor, ceil and sign it is 0 everywhere, also
 /// where they jump. The interval enclosure of a derivative `jumps` on each box with such a place
 /// (numeric/interval.h). Where the chain rule meets an infinity (sqrt, cbrt and a power below 1 at
-/// 0, asin and acos at 1 and -1) the derivative is infinite or NaN; the second one of a length is
-/// NaN where the length is 0.
+/// 0, asin and acos at 1 and -1) the derivative is infinite or NaN. Where a length is 0 all its
+/// derivatives are, so that what stays 0 (max(u, 0) inside of a box) disturbs nothing.
 std::vector<graph::NodeId> differentiate(graph::Graph& graph, std::span<const graph::NodeId> roots,
                                          std::span<const Seed> seeds);
 

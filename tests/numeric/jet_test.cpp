@@ -122,6 +122,24 @@ TEST(Jet, has_the_derivatives_of_one_side_at_a_kink) {
     EXPECT_EQ(both, (Interval{next_down(-1), next_up(1), false, true}));
 }
 
+TEST(Jet, of_a_length_that_stays_0_has_no_second_derivatives) {
+    using J2 = SecondOrder<double, 1>;
+    using B2 = SecondOrder<Interval, 1>;
+    const auto shell = [](auto x) {
+        using Kind = decltype(x);
+        const auto number = [](double value) { return Kind(typename Kind::Number(value)); };
+        return hypot(max(x, number(0)), max(sub(x, number(1)), number(0)));
+    };
+    EXPECT_EQ(shell(J2::variable(-1, 0)).gradient[0], 0);
+    EXPECT_EQ(shell(J2::variable(-1, 0)).hessian[0], 0);
+    EXPECT_EQ(shell(B2::variable({-2, -1}, 0)).hessian[0], Interval(0));
+    EXPECT_EQ(hypot3(J2::variable(0, 0), J2(0), J2(0)).hessian[0], 0);
+    const J2 least = max(J2::variable(-1, 0), J2(0));
+    EXPECT_EQ(ratio(least, least).gradient[0], 0);
+    EXPECT_EQ(ratio(least, least).hessian[0], 0);
+    EXPECT_FALSE(shell(J2::variable(0, 0)).smooth);
+}
+
 TEST(Jet, of_something_that_does_not_vary_is_smooth_everywhere) {
     EXPECT_TRUE(sqrt(J(0)).smooth);
     EXPECT_TRUE(abs(J(0)).smooth);

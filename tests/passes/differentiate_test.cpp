@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "eval/tape.h"
+#include "field/blends.h"
 #include "field/primitives.h"
 #include "passes/rule.h"
 
@@ -87,6 +88,38 @@ TEST(Gradient, of_a_box_is_a_unit_vector_inside_and_outside) {
             << point.x << ", " << point.y << ", " << point.z;
     }
     EXPECT_EQ(gradient_at(f.graph, value, {-0.9, 0, 0}), (std::array<double, 3>{-1, 0, 0}));
+}
+
+TEST(Differentiate, twice_a_box_has_no_nan_inside) {
+    field::Field f;
+    const field::Primitive* box = field::find_primitive("box");
+    ASSERT_NE(box, nullptr);
+    const graph::NodeId one = f.graph.constant(1);
+    const graph::NodeId value =
+        std::get<field::Formula>(f[box->build(f, std::array{one, one, one})]).value;
+    for (const graph::VariableId by : {graph::variable_x, graph::variable_y, graph::variable_z}) {
+        const graph::NodeId first = differentiate(f.graph, value, by);
+        for (const graph::VariableId again : {graph::variable_x, graph::variable_y}) {
+            const graph::NodeId second = differentiate(f.graph, first, again);
+            EXPECT_EQ(eval::evaluate(f.graph, second, {0.5, -0.2, 0.1}), 0);
+            EXPECT_EQ(eval::evaluate(f.graph, second, {0.9, 0.1, 0.2}), 0);
+        }
+    }
+}
+
+TEST(Gradient, of_a_power_blend_is_that_of_the_nearer_solid_inside) {
+    field::Field f;
+    const graph::NodeId one = f.graph.constant(1);
+    const auto plane = [&](double nx, double ny) {
+        const std::array numbers{f.graph.constant(nx), f.graph.constant(ny), f.graph.constant(0),
+                                 f.graph.constant(0)};
+        return field::find_primitive("plane")->build(f, numbers);
+    };
+    const field::FieldId blend = field::smooth_union_power(f, plane(1, 0), plane(0, 1),
+                                                           f.graph.apply(graph::Op::add, one, one));
+    const graph::NodeId value = std::get<field::Formula>(f[blend]).value;
+    EXPECT_EQ(gradient_at(f.graph, value, {-2, -1, 0}), (std::array<double, 3>{1, 0, 0}));
+    EXPECT_EQ(gradient_at(f.graph, value, {-2, 3, 0}), (std::array<double, 3>{1, 0, 0}));
 }
 
 TEST(Gradient, passes_through_the_passes) {
