@@ -254,11 +254,13 @@ TEST(LowerIterate, says_how_a_name_outlives_its_turn) {
 }
 
 TEST(LowerIterate, says_when_its_answers_are_known) {
-    const std::string end = " is known after the last turn, to 'distance' and 'colour'";
     check("iterate p = x for 3: p = p*turns; distance = 1",
-          "1:28: 'turns'" + end + "; before, 'i' is the number of turns");
-    check("iterate p = x for 3 until growth > 1: p = 2p; distance = 1", "1:27: 'growth'" + end);
-    check("iterate p = x for 3: p = smooth_turns; distance = 1", "1:26: 'smooth_turns'" + end);
+          "1:28: 'turns' is known after the last turn, to 'distance' and 'colour'; before, 'i' is "
+          "the number of turns");
+    check("iterate p = x for 3 until growth > 1: p = 2p; distance = 1",
+          "1:27: 'growth' is known after the last turn, to 'distance' and 'colour'");
+    check("iterate p = x for 3: p = smooth_turns; distance = 1",
+          "1:26: 'smooth_turns' is known after the last turn, to 'distance' and 'colour'");
     check("growth = 0",
           "1:1: unknown name 'growth'; to define it, type an equation such as x^2 + "
           "y^2 + z^2 = 1 on the next line");
