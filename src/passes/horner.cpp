@@ -23,6 +23,7 @@ using graph::Node;
 using graph::NodeId;
 using graph::Op;
 
+/// Longer sums are taken in groups, since the search takes the square of the number of terms.
 constexpr std::size_t most_terms = 64;
 
 /// A number times powers of different bases.
@@ -59,9 +60,9 @@ public:
         for (const NodeId id : usage.order) {
             const bool is_sum = graph[id].op == Op::add || graph[id].op == Op::sub;
             if (!is_sum || sums_[index(id)] || !live_.has(id)) continue;
-            std::vector<Monomial> terms = terms_of(id);
-            if (terms.size() > most_terms || !has_common_factor(terms)) continue;
-            live_.replace_if_cheaper(id, value_of(graph_, factored(std::move(terms))));
+            const std::vector<Monomial> terms = terms_of(id);
+            if (!has_common_factor(terms)) continue;
+            live_.replace_if_cheaper(id, value_of(graph_, factored_in_groups(terms)));
         }
     }
     std::vector<NodeId> result(std::span<const NodeId> roots) { return live_.replaced(roots); }
@@ -70,7 +71,7 @@ private:
     std::vector<Monomial> terms_of(NodeId root) {
         std::vector<Monomial> terms;
         std::vector<SignedTerm> open{{root, false}};
-        while (!open.empty() && terms.size() <= most_terms) {
+        while (!open.empty()) {
             const SignedTerm term = open.back();
             open.pop_back();
             if (term.id != root && !sums_[index(term.id)]) {
@@ -133,6 +134,17 @@ private:
     }
     static bool has_common_factor(const std::vector<Monomial>& terms) {
         return commonest(terms).second > 1 || commonest_size(terms).second > 1;
+    }
+
+    SignedTerm factored_in_groups(std::span<const Monomial> terms) {
+        std::optional<SignedTerm> result;
+        while (!terms.empty()) {
+            const auto group = terms.first(std::min(terms.size(), most_terms));
+            terms = terms.subspan(group.size());
+            const SignedTerm part = factored({group.begin(), group.end()});
+            result = result ? sum(graph_, *result, part) : part;
+        }
+        return *result;
     }
 
     SignedTerm factored(std::vector<Monomial> terms) {

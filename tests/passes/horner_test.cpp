@@ -41,6 +41,18 @@ TEST(Horner, takes_out_what_several_products_share) {
     EXPECT_EQ(evaluated(-(l.x * l.y) - l.x * l.z + l.t), "sub(t, mul(x, add(y, z)))");
 }
 
+TEST(Horner, takes_long_sums_in_groups) {
+    Leaves l;
+    Expr f = l.x * sin(l.y);
+    for (int k = 2; k <= 100; ++k) f = f + l.x * sin(static_cast<double>(k) * l.y);
+    const std::vector<graph::NodeId> after = evaluated(l.graph, {f.id});
+    const auto operations = [&](graph::NodeId id) {
+        return count_operations(l.graph, std::array{id}).at_points;
+    };
+    // Two products with x in place of a hundred.
+    EXPECT_EQ(operations(after[0]), operations(f.id) - 98);
+}
+
 TEST(Horner, leaves_alone_what_is_shared_otherwise) {
     Leaves l;
     const Expr a = l.x * l.y, b = l.x * l.z;
