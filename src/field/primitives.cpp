@@ -90,8 +90,26 @@ FieldId plane(Field& field, Arguments a) {
                     nx / length * x + ny / length * y + nz / length * z - Expr(field.graph, a[3]));
 }
 
+/// (|a|^p + |b|^p)^(1/p) without large or tiny powers.
+Expr norm(Expr a, Expr b, Expr p) {
+    const Expr u = abs(a), v = abs(b), most = max(u, v);
+    return most * pow(1.0 + pow(ratio(min(u, v), most), p), 1.0 / p);
+}
+
+FieldId superquadric(Field& field, Arguments a) {
+    const auto [x, y, z] = point_of(field);
+    const Expr p = max(Expr(field.graph, a[0]), 1.0), q = max(Expr(field.graph, a[1]), 1.0);
+    // In the plane |v|_p changes by at most 2^(1/p - 1/2) a unit for p < 2, and by 1 above.
+    const auto steepness = [&](Expr k) {
+        return max(pow(Expr(field.graph, 2.0), 1.0 / k - 0.5), 1.0);
+    };
+    const Expr value = norm(norm(x, y, p), z, q) - 1.0;
+    return field.add(
+        Formula{.value = (value / (steepness(p) * steepness(q))).id, .metric = Metric::distance});
+}
+
 // Sorted by name.
-const std::array<Primitive, 7> table{{
+const std::array<Primitive, 8> table{{
     {"box",
      {{"hx", {1}}, {"hy", {1}}, {"hz", {1}}},
      "A box by its half extents; exact distance.",
@@ -114,6 +132,11 @@ const std::array<Primitive, 7> table{{
      "the origin; exact distance.",
      plane},
     {"sphere", {{"r", {1}}}, "A ball of radius r; exact distance.", sphere},
+    {"superquadric",
+     {{"p", {4}}, {"q", {4}}},
+     "Between octahedron, ball and box: (|x|^p + |y|^p)^(q/p) + |z|^q <= 1 with p, q >= 1; a bound "
+     "of the distance.",
+     superquadric},
     {"torus",
      {{"R", {1}}, {"r", {0.35}}},
      "A torus about the z axis: a ring of radius R, r thick; exact distance.",

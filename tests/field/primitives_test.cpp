@@ -124,6 +124,34 @@ TEST(Primitives, plane_is_an_exact_distance_for_normals_of_any_length) {
     });
 }
 
+TEST(Primitives, superquadric_has_its_surface_and_a_bound_of_the_distance) {
+    constexpr unsigned seed = 8;
+    Random random(seed);
+    for (const auto& [p, q] : {std::pair{1.0, 1.0},
+                               {1.0, 3.0},
+                               {1.4, 1.2},
+                               {2.0, 2.0},
+                               {4.0, 2.5},
+                               {3.0, 1.0},
+                               {10.0, 30.0}}) {
+        const Field field = primitive("superquadric", {p, q});
+        for (int i = 0; i < 1000; ++i) {
+            const dvec3 at = glm::abs(random_point(random, 2));
+            const double sum =
+                std::pow(std::pow(at.x, p) + std::pow(at.y, p), q / p) + std::pow(at.z, q);
+            const double norm = std::pow(sum, 1 / q);
+            EXPECT_NEAR(value(field, at / norm), 0, 1e-14) << p << ", " << q << describe(at);
+            EXPECT_EQ(value(field, at) < 0, norm < 1) << p << ", " << q << describe(at);
+        }
+        expect_lipschitz(field, seed, 3, 1000);
+        EXPECT_EQ(std::get<Formula>(field[field.root]).exact, false);
+    }
+    const Field ball = primitive("superquadric", {2, 2});
+    EXPECT_NEAR(value(ball, {3, 4, 12}), 12, 1e-14);
+    // Smaller exponents are those of an octahedron.
+    EXPECT_EQ(value(primitive("superquadric", {0.5, -3}), {0.25, 0.25, 0.5}), 0);
+}
+
 TEST(Primitives, have_the_values_that_can_be_read_off) {
     EXPECT_EQ(value(primitive("sphere", {2}), {0, 0, 0}), -2);
     EXPECT_EQ(value(primitive("box", {1, 2, 3}), {0, 0, 0}), -1);
