@@ -2,8 +2,12 @@
 #include "render_answers/exact_shape.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <cmath>
+#include <memory>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 namespace render_answers {
 namespace {
@@ -114,9 +118,18 @@ Solid nothing() {
 }
 
 Solid half_space(double a, double b, double c, double d) {
-    return below([=](const Polynomial& x, const Polynomial& y, const Polynomial& z) {
-        return a * x + b * y + c * z - d;
-    });
+    const glm::dvec3 normal(a, b, c);
+    const auto part = std::make_shared<int>();
+    return [=](const Ray& ray) -> std::vector<Span> {
+        const double height = glm::dot(normal, ray.origin) - d;
+        const double rate = glm::dot(normal, ray.direction);
+        const Span all{{-far_away, {}}, {far_away, {}}};
+        if (rate == 0) return height < 0 ? std::vector{all} : std::vector<Span>{};
+        const Crossing wall{-height / rate, normal, part.get()};
+        if (!(std::abs(wall.t) < far_away))
+            return height < 0 ? std::vector{all} : std::vector<Span>{};
+        return {rate > 0 ? Span{all.enter, wall} : Span{wall, all.leave}};
+    };
 }
 
 Solid ball(double radius, glm::dvec3 centre) {
@@ -129,11 +142,29 @@ Solid ball(double radius, glm::dvec3 centre) {
 }
 
 Solid cuboid(glm::dvec3 half, glm::dvec3 centre) {
-    const glm::dvec3 low = centre - half;
-    const glm::dvec3 high = centre + half;
-    return half_space(1, 0, 0, high.x) & half_space(-1, 0, 0, -low.x) &
-           half_space(0, 1, 0, high.y) & half_space(0, -1, 0, -low.y) &
-           half_space(0, 0, 1, high.z) & half_space(0, 0, -1, -low.z);
+    const auto walls = std::make_shared<std::array<int, 6>>();
+    return [=](const Ray& ray) -> std::vector<Span> {
+        Span inside{{-far_away, {}}, {far_away, {}}};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double from = ray.origin[axis] - centre[axis], rate = ray.direction[axis];
+            if (rate == 0) {
+                if (!(std::abs(from) < half[axis])) return {};
+                continue;
+            }
+            const auto crossing = [&](int side) {
+                glm::dvec3 normal(0);
+                normal[axis] = side;
+                return Crossing{(side * half[axis] - from) / rate, normal,
+                                walls->data() + 2 * axis + (side > 0)};
+            };
+            const int first = rate > 0 ? -1 : 1;
+            const Crossing enter = crossing(first), leave = crossing(-first);
+            if (enter.t > inside.enter.t) inside.enter = enter;
+            if (leave.t < inside.leave.t) inside.leave = leave;
+        }
+        if (!(inside.enter.t < inside.leave.t)) return {};
+        return {inside};
+    };
 }
 
 Solid torus(double large, double small) {
