@@ -12,6 +12,7 @@
 #include "cli/compare_command.h"
 #include "cli/emit_command.h"
 #include "cli/input.h"
+#include "cli/oracle_command.h"
 #include "cli/render_command.h"
 #include "cli/render_options.h"
 #include "scene/preset.h"
@@ -28,6 +29,7 @@ struct Arguments {
     RenderOptions render;
     RenderOutputs outputs;
     BenchOptions bench;
+    OracleOptions oracle;
     Emitted emitted = Emitted::glsl;
     std::string studio_preset;
 };
@@ -49,6 +51,15 @@ CLI::App* add_render(CLI::App& app, Arguments& a) {
     command->add_option("--repeat", a.outputs.repeat, "Render so many frames more, each timed")
         ->check(CLI::Range(0, 100000))
         ->type_name("N");
+    return command;
+}
+
+CLI::App* add_oracle(CLI::App& app, Arguments& a) {
+    CLI::App* command =
+        app.add_subcommand("oracle", "The first hit of every pixel's ray on the CPU, with proof");
+    add_input_options(*command, a.input);
+    add_render_options(*command, a.render);
+    add_oracle_options(*command, a.oracle);
     return command;
 }
 
@@ -109,6 +120,7 @@ int dispatch(int argc, char** argv) {
     app.set_version_flag("--version", "zeroset " ZEROSET_VERSION);
     app.require_subcommand(0, 1);
     const CLI::App* render = add_render(app, a);
+    const CLI::App* oracle = add_oracle(app, a);
     const CLI::App* check_app = add_check(app, a);
     const CLI::App* emit_app = add_emit(app, a);
     CLI::App* bench_app = app.add_subcommand("bench", "Measures run time against error");
@@ -126,6 +138,7 @@ int dispatch(int argc, char** argv) {
         return usage;
     }
     if (*render) return render_command(a.input, a.render, a.outputs);
+    if (*oracle) return oracle_command(a.input, a.render, a.oracle);
     if (*check_app) return check(a.input, a.check);
     if (*emit_app) return emit(a.input, a.render, a.emitted);
     if (*bench_app) return bench_command(a.bench);

@@ -26,10 +26,11 @@ struct Pixel {
     std::int32_t object = -1;  ///< the leaf that is hit, counted from left to right; -1: none
     double near = 0;           ///< +infinity for a miss
     double far = 0;            ///< likewise
-    glm::dvec3 normal{0};      ///< of a hit: unit, facing the eye; 0 where there is none
+    /// Unit, facing the eye; of an undecided pixel there at its best estimate. 0 for a miss.
+    glm::dvec3 normal{0};
 
-    /// The best estimate there is.
-    double depth() const { return near + 0.5 * (far - near); }
+    /// The best estimate there is; +infinity for a miss.
+    double depth() const { return far > near ? near + 0.5 * (far - near) : near; }
 };
 
 struct Reference {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/along_ray.h"
+
+#include <cmath>
+
+namespace oracle {
+namespace {
+
+using numeric::Interval;
+
+template <class T>
+T value_of(Values<T>& values, Function function) {
+    return function.what == Function::What::solid ? values.solid(function.number)
+                                                  : values.expression(function.number);
+}
+
+bool is_finite(const Interval& a) { return std::isfinite(a.lo) && std::isfinite(a.hi); }
+
+/// What both enclosures of the same values leave.
+Interval narrowed(const Interval& a, const Interval& b) {
+    const double lo = std::max(a.lo, b.lo), hi = std::min(a.hi, b.hi);
+    return lo <= hi ? Interval{lo, hi, a.partial, a.jumps} : a;
+}
+
+Interval slope_of(const RayJet& jet) { return jet.has_slope(0) ? jet.slope(0) : Interval(0.0); }
+
+/// From the ends f can go no faster than its slope lets it. Where that is of one sign, the ends are
+/// the extrema.
+Interval between_slopes(const Piece& piece, const Interval& slope) {
+    const Interval ends = hull(piece.at_begin, piece.at_end);
+    if (slope.lo >= 0 || slope.hi <= 0) return ends;
+    const Interval low(slope.lo), high(slope.hi), length = Interval(piece.end) - piece.begin;
+    const Interval steepness = high - low, reach = low * high * length;
+    const Interval least =
+        (high * Interval(piece.at_begin.lo) - low * Interval(piece.at_end.lo) + reach) / steepness;
+    const Interval most =
+        (high * Interval(piece.at_end.hi) - low * Interval(piece.at_begin.hi) - reach) / steepness;
+    return {std::min(least.lo, ends.lo), std::max(most.hi, ends.hi)};
+}
+
+/// A function leaves its chord by (t - begin)(end - t) / 2 times a value of -f''.
+Interval around_chord(const Piece& piece, const Interval& bend) {
+    const Interval length = Interval(piece.end) - piece.begin;
+    const Interval eighth = square(length) * 0.125;
+    return hull(piece.at_begin, piece.at_end) - bend * Interval{0, eighth.hi};
+}
+
+}  // namespace
+
+double AlongRay::near(Function function, double t) {
+    const glm::dvec3 p = ray_.at(t);
+    numbers_.move_to({p.x, p.y, p.z});
+    return value_of(numbers_, function);
+}
+
+Interval AlongRay::over(Function function, Interval t) {
+    std::array<Interval, 3> place;
+    for (int i = 0; i < 3; ++i) {
+        place[static_cast<std::size_t>(i)] = Interval(ray_.origin[i]) + ray_.direction[i] * t;
+    }
+    intervals_.move_to(place);
+    return value_of(intervals_, function);
+}
+
+RayJet AlongRay::jet_over(Function function, Interval t) {
+    std::array<RayJet, 3> place;
+    for (int i = 0; i < 3; ++i) {
+        place[static_cast<std::size_t>(i)] = RayJet::along(
+            Interval(ray_.origin[i]) + ray_.direction[i] * t, Interval(ray_.direction[i]));
+    }
+    jets_.move_to(place);
+    return value_of(jets_, function);
+}
+
+bool is_continuous_with_slope(const RayJet& jet) {
+    const Interval& value = jet.value;
+    if (value.is_empty() || value.partial || value.jumps) return false;
+    const Interval slope = slope_of(jet);
+    return !slope.is_empty() && !slope.partial && is_finite(slope);
+}
+
+bool is_monotone(const RayJet& jet) {
+    if (!is_continuous_with_slope(jet)) return false;
+    const Interval slope = slope_of(jet);
+    return slope.lo > 0 || slope.hi < 0;
+}
+
+Interval values_on(const Piece& piece, const RayJet& jet) {
+    if (!is_continuous_with_slope(jet)) return jet.value;
+    if (!is_finite(piece.at_begin) || !is_finite(piece.at_end)) return jet.value;
+    if (piece.at_begin.partial || piece.at_end.partial) return jet.value;
+    Interval values = narrowed(jet.value, between_slopes(piece, slope_of(jet)));
+    if (!jet.smooth) return values;
+    const Interval bend = jet.has_bend(0) ? jet.bend(0) : Interval(0.0);
+    if (bend.is_empty() || bend.partial || !is_finite(bend)) return values;
+    return narrowed(values, around_chord(piece, bend));
+}
+
+}  // namespace oracle
