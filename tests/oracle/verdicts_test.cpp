@@ -18,9 +18,7 @@ TEST(Verdicts, a_pole_is_no_sheet) {
     EXPECT_NE(down_z("1/(z - x + 0.1) = 0").verdict, Verdict::hit);
 }
 
-TEST(Verdicts, a_jump_is_no_sheet) {
-    EXPECT_NE(down_z("floor(z) = 0.5").verdict, Verdict::hit);
-}
+TEST(Verdicts, a_jump_is_no_sheet) { EXPECT_NE(down_z("floor(z) = 0.5").verdict, Verdict::hit); }
 
 TEST(Verdicts, a_jump_or_a_pole_of_a_solid_is_its_wall) {
     expect_hit(down_z("floor(z) <= 0.5"), 4);
