@@ -60,4 +60,9 @@ void frame_all(Workspace& workspace) {
         scene::frame_from(workspace.camera(), workspace.document.bounds, workspace.area.aspect());
 }
 
+void check_accuracy(Workspace& workspace) {
+    workspace.view.panels = workspace.view.accuracy = true;
+    workspace.accuracy.wish = Accuracy::Wish::check;
+}
+
 }  // namespace studio

@@ -23,5 +23,7 @@ void screenshot_dialog(Workspace& workspace);
 void quick_screenshot(Workspace& workspace);
 /// Moves the camera so that the whole region fills the picture.
 void frame_all(Workspace& workspace);
+/// Checks the picture against the reference, and shows the panel that tells what comes of it.
+void check_accuracy(Workspace& workspace);
 
 }  // namespace studio

@@ -81,6 +81,14 @@ void CompilerThread::request_still(StillRequest still) {
     wanted_.notify_one();
 }
 
+void CompilerThread::request_trial(TrialRequest trial) {
+    {
+        const std::lock_guard lock(mutex_);
+        trial_request_ = std::move(trial);
+    }
+    wanted_.notify_one();
+}
+
 std::optional<BuiltScene> CompilerThread::take_scene() {
     const std::lock_guard lock(mutex_);
     return std::exchange(scene_, std::nullopt);
@@ -91,16 +99,24 @@ std::vector<StillAnswer> CompilerThread::take_stills() {
     return std::exchange(still_answers_, {});
 }
 
+std::optional<TrialAnswer> CompilerThread::take_trial() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(trial_answer_, std::nullopt);
+}
+
 CompilerThread::Activity CompilerThread::activity() const {
     const std::lock_guard lock(mutex_);
-    if (activity_ == Activity::idle && request_) return Activity::compiling;
-    if (activity_ == Activity::idle && !still_requests_.empty()) return Activity::drawing_still;
+    const bool gives_way = activity_ == Activity::idle || activity_ == Activity::drawing_trial;
+    if (gives_way && request_) return Activity::compiling;
+    if (gives_way && !still_requests_.empty()) return Activity::drawing_still;
     return activity_;
 }
 
 void CompilerThread::run() {
     context_.make_current();
+    trial_canvas_.emplace(context_.gl());
     while (serve()) wake_();
+    trial_canvas_.reset();
     context_.release();
 }
 
@@ -108,28 +124,49 @@ void CompilerThread::run() {
 bool CompilerThread::serve() {
     std::unique_lock lock(mutex_);
     activity_ = Activity::idle;
-    wanted_.wait(lock, [&] { return stop_ || request_ || !still_requests_.empty(); });
+    wanted_.wait(lock, [&] { return something_is_urgent() || trial_request_; });
     if (stop_) return false;
     if (request_) {
         activity_ = Activity::compiling;
         const scene::Document document = *std::exchange(request_, std::nullopt);
         lock.unlock();
         build(document);
-    } else {
-        activity_ = Activity::drawing_still;
-        const StillRequest still = std::move(still_requests_.front());
-        still_requests_.pop_front();
-        lock.unlock();
-        const auto start = std::chrono::steady_clock::now();
-        base::Status status = draw(still);
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
         lock.lock();
-        still_answers_.push_back({still.file, std::move(status), spent.count()});
-        lock.unlock();
+    } else if (!still_requests_.empty()) {
+        draw_still(lock);
+    } else {
+        draw_trial(lock);
     }
-    lock.lock();
     activity_ = Activity::idle;
     return true;
+}
+
+bool CompilerThread::something_is_urgent() const {
+    return stop_ || request_ || !still_requests_.empty();
+}
+
+void CompilerThread::draw_still(std::unique_lock<std::mutex>& lock) {
+    activity_ = Activity::drawing_still;
+    const StillRequest still = std::move(still_requests_.front());
+    still_requests_.pop_front();
+    lock.unlock();
+    const auto start = std::chrono::steady_clock::now();
+    base::Status status = draw(still);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    lock.lock();
+    still_answers_.push_back({still.file, std::move(status), spent.count()});
+}
+
+void CompilerThread::draw_trial(std::unique_lock<std::mutex>& lock) {
+    activity_ = Activity::drawing_trial;
+    const TrialRequest trial = *std::exchange(trial_request_, std::nullopt);
+    lock.unlock();
+    TrialAnswer answer = trial_canvas_->draw(trial, [this] {
+        const std::lock_guard guard(mutex_);
+        return something_is_urgent();
+    });
+    lock.lock();
+    trial_answer_ = std::move(answer);
 }
 
 void CompilerThread::build(const scene::Document& document) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The thread that compiles formulas, links programs and draws screenshots, so that the user
+// The thread that compiles formulas, links programs, draws screenshots and trials, so that the user
 // interface never waits for them.
 #pragma once
 
@@ -16,6 +16,7 @@
 #include "render/context.h"
 #include "scene/document.h"
 #include "studio/scene_builder.h"
+#include "studio/trial_canvas.h"
 
 namespace studio {
 
@@ -34,10 +35,11 @@ struct StillAnswer {
 };
 
 /// Owns a thread with a context of its own, which shares objects with the window's. Of several
-/// requests for a scene only the newest is answered; pictures are all drawn, between scenes.
+/// requests for a scene or a trial only the newest is answered; pictures are all drawn, between
+/// scenes. Trials come last.
 class CompilerThread {
 public:
-    enum class Activity { idle, compiling, drawing_still };
+    enum class Activity { idle, compiling, drawing_still, drawing_trial };
 
     /// The context must not be current anywhere, and must outlive the thread. `wake` is called on
     /// the thread when there is an answer.
@@ -49,15 +51,21 @@ public:
 
     void request(const scene::Document& document);
     void request_still(StillRequest still);
+    void request_trial(TrialRequest trial);
 
     /// The newest scene, once. Everything the thread's context did for it is complete.
     std::optional<BuiltScene> take_scene();
     std::vector<StillAnswer> take_stills();
+    /// The newest answer, once. A trial is given up for anything else that is asked for.
+    std::optional<TrialAnswer> take_trial();
     Activity activity() const;
 
 private:
     void run();
     bool serve();
+    bool something_is_urgent() const;
+    void draw_still(std::unique_lock<std::mutex>& lock);
+    void draw_trial(std::unique_lock<std::mutex>& lock);
     void build(const scene::Document& document);
     void publish(BuiltScene scene);
     base::Status draw(const StillRequest& still);
@@ -65,6 +73,7 @@ private:
     render::Context& context_;
     std::function<void()> wake_;
     SceneBuilder builder_;
+    std::optional<TrialCanvas> trial_canvas_;  ///< used and destroyed on the thread
 
     mutable std::mutex mutex_;  ///< guards everything below
     std::condition_variable wanted_;
@@ -74,6 +83,8 @@ private:
     std::deque<StillRequest> still_requests_;
     std::optional<BuiltScene> scene_;
     std::vector<StillAnswer> still_answers_;
+    std::optional<TrialRequest> trial_request_;
+    std::optional<TrialAnswer> trial_answer_;
 
     std::thread thread_;
 };

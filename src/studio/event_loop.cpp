@@ -10,6 +10,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "oracle/trace.h"
 #include "studio/actions.h"
 #include "studio/document_file.h"
 #include "studio/layout.h"
@@ -21,6 +22,7 @@ namespace {
 constexpr double drawing_budget = 0.026;
 constexpr double tiles_seconds = 0.08;
 constexpr double longest_wait = 2;
+constexpr double accuracy_news_seconds = 0.2;
 constexpr double blink_seconds = 0.2;  // of the text cursor
 /// Dear ImGui needs a few frames until everything has found its place.
 constexpr int frames_after_event = 3;
@@ -45,7 +47,8 @@ EventLoop::EventLoop(Window& window, const Options& options)
       gui_(window),
       input_(window.handle()),
       picture_(window.context().gl()),
-      compiler_(window.worker_context(), &Window::wake) {
+      compiler_(window.worker_context(), &Window::wake),
+      accuracy_(workspace_.accuracy, oracle::trace, &Window::wake) {
     workspace_.renderer = window.context().renderer();
     workspace_.presets = list_all_presets();
     if (options.preset) {
@@ -66,6 +69,7 @@ bool EventLoop::step() {
     }
     take_answers();
     draw_picture();
+    look_at_accuracy();
     const bool blinks = ImGui::GetIO().WantTextInput && glfwGetTime() - last_frame_ > blink_seconds;
     if (workspace_.playback.playing || blinks) frames_to_draw_ = std::max(frames_to_draw_, 1);
     if (is_fading()) frames_to_draw_ = std::max(frames_to_draw_, 1);
@@ -73,6 +77,7 @@ bool EventLoop::step() {
         --frames_to_draw_;
         draw_interface();
     }
+    start_trial();
     keep_safe();
     return !workspace_.quit;
 }
@@ -80,7 +85,7 @@ bool EventLoop::step() {
 double EventLoop::wait_seconds() const {
     if (frames_to_draw_ > 0 || input_.has_news() || workspace_.playback.playing) return 0;
     const double now = glfwGetTime();
-    double seconds = std::min(longest_wait, autosave_.wait(now));
+    double seconds = std::min({longest_wait, autosave_.wait(now), accuracy_.wait(now)});
     if (window_.framebuffer_width() > 0) seconds = std::min(seconds, picture_.wait(now));
     if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, blink_seconds);
     return seconds;
@@ -119,6 +124,34 @@ void EventLoop::take_answers() {
     }
     compilation.busy = busy;
     workspace_.drawing_still = still;
+}
+
+/// News of measuring come many times a second, and showing them takes time from what is measured.
+void EventLoop::look_at_accuracy() {
+    const Accuracy::Phase before = workspace_.accuracy.phase;
+    const double progress = workspace_.accuracy.progress;
+    const auto answer = compiler_.take_trial();
+    if (answer) accuracy_.take(*answer);
+    const double now = glfwGetTime();
+    accuracy_.look({.document = workspace_.shown(),
+                    .camera = workspace_.camera(),
+                    .width = workspace_.area.width,
+                    .height = workspace_.area.height,
+                    .watched = workspace_.view.accuracy,
+                    .playing = workspace_.playback.playing},
+                   now);
+    const bool news = answer || progress != workspace_.accuracy.progress;
+    const bool changed = before != workspace_.accuracy.phase;
+    if (!changed && !(news && now - accuracy_shown_ > accuracy_news_seconds)) return;
+    accuracy_shown_ = now;
+    frames_to_draw_ = std::max(frames_to_draw_, 1);
+}
+
+/// Only while nothing else is going on: what is timed must have the machine for itself.
+void EventLoop::start_trial() {
+    if (frames_to_draw_ > 0 || !picture_.complete()) return;
+    if (compiler_.activity() != CompilerThread::Activity::idle) return;
+    if (auto trial = accuracy_.next_trial()) compiler_.request_trial(std::move(*trial));
 }
 
 void EventLoop::ask_compiler() {

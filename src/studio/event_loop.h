@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "studio/accuracy_check.h"
 #include "studio/autosave.h"
 #include "studio/compiler_thread.h"
 #include "studio/gui.h"
@@ -30,6 +31,8 @@ public:
 private:
     double wait_seconds() const;
     void take_answers();
+    void look_at_accuracy();
+    void start_trial();
     void ask_compiler();
     void ask_for_picture();
     void draw_picture();
@@ -47,6 +50,7 @@ private:
     Autosave autosave_;
     LivePicture picture_;
     CompilerThread compiler_;
+    AccuracyCheck accuracy_;
 
     std::optional<scene::Document> asked_;  ///< what the compiler was asked about last
     std::string picture_problem_;           ///< what went wrong with the picture last
@@ -54,6 +58,7 @@ private:
     std::uint64_t presses_ = 0;  ///< of mouse buttons
     bool was_pressed_ = false;
     double last_frame_ = 0;
+    double accuracy_shown_ = 0;  ///< when the panel was last drawn because of its own news
 };
 
 }  // namespace studio

@@ -25,6 +25,7 @@ constexpr Key keys[] = {
     {"Space", "start and stop the time t"},
     {"Tab", "hide and show the panels"},
     {"F1", "this list"},
+    {"F5", "check the picture's accuracy"},
     {"F11", "picture dialog: size and place of a PNG"},
     {"F12", "picture at once, in the size that was used last"},
     {"Escape", "leave a field or a dialog"},

@@ -104,17 +104,36 @@ void show_left_column(Workspace& workspace, Box& box) {
     box.width -= width + bar;
 }
 
+/// Presets above, accuracy below, or one of them alone.
 void show_right_column(Workspace& workspace, Box& box) {
     View& view = workspace.view;
     const float bar = 3 * workspace.scale;
-    const float width = std::clamp(view.right_width * workspace.scale, 120.0f, box.width * 0.6f);
+    float& wanted = view.accuracy ? view.accuracy_width : view.right_width;
+    const float width = std::clamp(wanted * workspace.scale, 120.0f, box.width * 0.6f);
     const float left = box.x + box.width - width;
-    begin_fixed("Presets", {left, box.y, width, box.height});
-    show_preset_panel(workspace);
-    ImGui::End();
-    view.right_width -=
-        splitter("split right", {left - bar, box.y, bar, box.height}, true) / workspace.scale;
-    view.right_width = std::max(view.right_width, 120.0f);
+    float top = box.y;
+    if (view.presets) {
+        const float below = std::clamp(view.accuracy_height * workspace.scale, 90.0f,
+                                       std::max(90.0f, box.height - 90.0f));
+        const float height = view.accuracy ? box.height - below : box.height;
+        begin_fixed("Presets", {left, top, width, height});
+        show_preset_panel(workspace);
+        ImGui::End();
+        top += height;
+    }
+    if (view.presets && view.accuracy) {
+        view.accuracy_height -=
+            splitter("split accuracy", {left, top, width, bar}, false) / workspace.scale;
+        view.accuracy_height = std::max(view.accuracy_height, 90.0f);
+        top += bar;
+    }
+    if (view.accuracy) {
+        begin_fixed("Accuracy", {left, top, width, box.y + box.height - top});
+        show_accuracy_panel(workspace);
+        ImGui::End();
+    }
+    wanted -= splitter("split right", {left - bar, box.y, bar, box.height}, true) / workspace.scale;
+    wanted = std::max(wanted, 120.0f);
     box.width -= width + bar;
 }
 
@@ -151,7 +170,7 @@ void show_interface(Workspace& workspace) {
 
     if (workspace.view.panels) {
         show_left_column(workspace, box);
-        if (workspace.view.presets) show_right_column(workspace, box);
+        if (workspace.view.presets || workspace.view.accuracy) show_right_column(workspace, box);
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     begin_fixed("Picture", box, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);

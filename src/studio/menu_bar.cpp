@@ -38,12 +38,16 @@ void show_view_menu(Workspace& workspace) {
     if (!ImGui::BeginMenu("View")) return;
     if (ImGui::MenuItem("Frame all", "F")) frame_all(workspace);
     if (ImGui::MenuItem("Default view")) workspace.document.camera.reset();
+    if (ImGui::MenuItem("Check accuracy", "F5", false, !workspace.playback.playing)) {
+        check_accuracy(workspace);
+    }
     ImGui::Separator();
     ImGui::MenuItem("Show step count", nullptr, &workspace.document.settings.show_steps);
     ImGui::MenuItem("Ground grid", nullptr, &workspace.document.settings.grid);
     ImGui::Separator();
     ImGui::MenuItem("Panels", "Tab", &workspace.view.panels);
     ImGui::MenuItem("Presets", nullptr, &workspace.view.presets);
+    ImGui::MenuItem("Accuracy", nullptr, &workspace.view.accuracy);
     ImGui::MenuItem("Messages", nullptr, &workspace.view.log);
     ImGui::EndMenu();
 }

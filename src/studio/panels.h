@@ -22,6 +22,8 @@ void show_camera_panel(Workspace& workspace);
 void show_document_panel(Workspace& workspace);
 /// Shipped presets and the user's own.
 void show_preset_panel(Workspace& workspace);
+/// How wrong the picture is, and what other settings would cost and buy.
+void show_accuracy_panel(Workspace& workspace);
 /// The picture, and the camera by mouse on it.
 void show_picture(Workspace& workspace);
 void show_status_bar(const Workspace& workspace);

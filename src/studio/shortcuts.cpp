@@ -47,6 +47,7 @@ void handle_shortcuts(Workspace& workspace) {
     const ImGuiIO& io = ImGui::GetIO();
     if (workspace.dialogs.open()) return;
     if (pressed(GLFW_KEY_F1)) workspace.view.help = !workspace.view.help;
+    if (pressed(GLFW_KEY_F5)) check_accuracy(workspace);
     if (pressed(GLFW_KEY_F11)) screenshot_dialog(workspace);
     if (pressed(GLFW_KEY_F12)) quick_screenshot(workspace);
     if (io.KeyCtrl && !io.KeyAlt) return handle_commands(workspace, io.KeyShift);

@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "field/field.h"
 #include "scene/document.h"
+#include "studio/accuracy.h"
 #include "studio/dialog.h"
 #include "studio/history.h"
 #include "studio/live_picture.h"
@@ -50,6 +51,7 @@ struct Playback {
 /// What the user interface shows, apart from the document.
 struct View {
     bool presets = true;
+    bool accuracy = false;
     bool help = false;
     bool log = false;
     bool panels = true;
@@ -58,6 +60,8 @@ struct View {
     float left_width = 388;
     float right_width = 226;
     float formula_height = 250;
+    float accuracy_width = 340;
+    float accuracy_height = 500;
     std::string preset_filter;
 };
 
@@ -78,6 +82,7 @@ struct Workspace {
 
     Compilation compilation;
     Playback playback;
+    Accuracy accuracy;
     View view;
     PictureArea area;
     Dialogs dialogs;
