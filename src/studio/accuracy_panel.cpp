@@ -144,12 +144,27 @@ void show_judgement(Workspace& workspace) {
     tooltip_of_last("Puts these numbers and those of the plot into the clipboard, as text.");
 }
 
+void show_measuring(Workspace& workspace) {
+    Accuracy& accuracy = workspace.accuracy;
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::Spacing();
+    ImGui::BeginDisabled(accuracy.phase == Phase::tracing || accuracy.phase == Phase::measuring);
+    if (ImGui::Button("Measure the settings")) accuracy.wish = Wish::measure;
+    ImGui::EndDisabled();
+    tooltip_of_last(
+        "Draws this view with other Lipschitz scales and with the other tracers, in turns, and "
+        "counts what is wrong with each.");
+    show_accuracy_plot(workspace);
+}
+
 }  // namespace
 
 void show_accuracy_panel(Workspace& workspace) {
     show_commands(workspace);
     show_progress(workspace);
     show_judgement(workspace);
+    if (workspace.accuracy.of_this_view) show_measuring(workspace);
 }
 
 }  // namespace studio

@@ -24,6 +24,7 @@ void show_document_panel(Workspace& workspace);
 void show_preset_panel(Workspace& workspace);
 /// How wrong the picture is, and what other settings would cost and buy.
 void show_accuracy_panel(Workspace& workspace);
+void show_accuracy_plot(Workspace& workspace);
 /// The picture, and the camera by mouse on it.
 void show_picture(Workspace& workspace);
 void show_status_bar(const Workspace& workspace);

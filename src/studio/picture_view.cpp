@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The picture on the screen, and the camera by mouse on it.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include <imgui.h>
 
 #include "studio/camera_control.h"
+#include "studio/overlay_colours.h"
 #include "studio/panels.h"
 
 namespace studio {
 namespace {
 
+constexpr float least_mark = 3;
 constexpr std::uint64_t wheel_gesture = 3;  // of the same pause-limited kind as typing
 
 ImTextureID texture(GLuint name) {
@@ -33,6 +36,26 @@ void draw_layers(const PictureLayers& layers, ImVec2 corner, ImVec2 size) {
         list.AddImage(texture(layers.full),
                       ImVec2(corner.x + from.x * size.x, corner.y + from.y * size.y),
                       ImVec2(corner.x + to.x * size.x, corner.y + to.y * size.y), from, to);
+    }
+}
+
+/// Marks of at least a few pixels, so that single ones can be seen.
+void draw_overlay(const Workspace& workspace, ImVec2 corner, ImVec2 size) {
+    const Accuracy& accuracy = workspace.accuracy;
+    const Judged* judged = accuracy.judged();
+    if (!judged || !accuracy.overlay || !workspace.view.accuracy) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float across = size.x / static_cast<float>(accuracy.reference->width);
+    const float down = size.y / static_cast<float>(accuracy.reference->height);
+    const float more_x = std::max(0.0f, (least_mark * workspace.scale - across) / 2);
+    const float more_y = std::max(0.0f, (least_mark * workspace.scale - down) / 2);
+    for (const MarkedArea& area : judged->areas) {
+        const float x = corner.x + static_cast<float>(area.x) * across;
+        const float y = corner.y + static_cast<float>(area.y) * down;
+        list.AddRectFilled(ImVec2(x - more_x, y - more_y),
+                           ImVec2(x + static_cast<float>(area.width) * across + more_x,
+                                  y + static_cast<float>(area.height) * down + more_y),
+                           overlay_colour(area.judgement));
     }
 }
 
@@ -68,6 +91,7 @@ void show_picture(Workspace& workspace) {
                                ImGuiButtonFlags_MouseButtonMiddle);
     move_camera(workspace, size.y);
     draw_layers(workspace.layers, corner, size);
+    draw_overlay(workspace, corner, size);
     const PictureLayers& layers = workspace.layers;
     if (layers.base != 0 || (layers.tiles && !layers.tiles->empty())) return;
     const char* text = workspace.compilation.busy ? "compiling..." : "no picture yet";
