@@ -96,7 +96,7 @@ void draw_labels(const Sheet& sheet) {
     const PlotBox frame{sheet.corner.x - margin, sheet.corner.y - margin,
                         sheet.corner.x + sheet.size.x + margin,
                         sheet.corner.y + sheet.size.y + margin};
-    const auto places = label_places(points, frame, 1.5 * sheet.radius);
+    const auto places = label_places(points, frame, 2 * sheet.radius);
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i]) continue;
         const PlotPoint& point = sheet.plot.points[i];

@@ -61,7 +61,7 @@ struct View {
     float right_width = 226;
     float formula_height = 250;
     float accuracy_width = 340;
-    float accuracy_height = 500;
+    float accuracy_height = 580;
     std::string preset_filter;
 };
 
