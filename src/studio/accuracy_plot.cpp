@@ -47,9 +47,10 @@ AccuracyPlot accuracy_plot(const Accuracy& accuracy, const Tracing& present) {
     for (auto& [tracer, curve] : by_tracer) {
         std::ranges::sort(curve, {}, scale);
         for (const std::size_t point : curve) {
-            plot.points[point].label =
-                curve.size() == 1 ? tracer : fmt::format("{:.3g}", scale(point));
+            plot.points[point].label = fmt::format("{:.3g}", scale(point));
         }
+        std::string& first = plot.points[curve.front()].label;
+        first = curve.size() == 1 ? tracer : tracer + " " + first;
         if (curve.size() > 1) plot.curves.push_back(curve);
     }
     plot.milliseconds = log_axis(milliseconds, false);

@@ -30,8 +30,8 @@ struct AccuracyPlot {
 };
 
 /// All settings that are both judged and timed. The label of a point is its tracer, of those of a
-/// curve the Lipschitz scale; points with other steps or another epsilon have none and are on no
-/// curve.
+/// curve the Lipschitz scale (of the first one both); points with other steps or another epsilon
+/// have none and are on no curve.
 AccuracyPlot accuracy_plot(const Accuracy& accuracy, const Tracing& present);
 
 }  // namespace studio

@@ -15,7 +15,9 @@
 namespace studio {
 namespace {
 
-constexpr ImU32 paper = IM_COL32(0x14, 0x16, 0x1B, 255), grid = IM_COL32(0x2B, 0x30, 0x3A, 255),
+constexpr ImU32 paper = IM_COL32(0x14, 0x16, 0x1B, 255),
+                label_paper = IM_COL32(0x14, 0x16, 0x1B, 190),
+                grid = IM_COL32(0x2B, 0x30, 0x3A, 255),
                 curve_colour = IM_COL32(0x3F, 0x97, 0xA5, 255),
                 dot = IM_COL32(0xB6, 0xBE, 0xCA, 255), old_dot = IM_COL32(0x5A, 0x62, 0x70, 255),
                 accent = IM_COL32(0xF0, 0xB4, 0x4A, 255);
@@ -100,8 +102,11 @@ void draw_labels(const Sheet& sheet) {
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i]) continue;
         const PlotPoint& point = sheet.plot.points[i];
-        draw_text(ImVec2(static_cast<float>(places[i]->x), static_cast<float>(places[i]->y)),
-                  point.present ? accent : ImGui::GetColorU32(ImGuiCol_Text), point.label);
+        const ImVec2 corner(static_cast<float>(places[i]->x), static_cast<float>(places[i]->y));
+        const ImVec2 end(corner.x + static_cast<float>(points[i].width),
+                         corner.y + static_cast<float>(points[i].height));
+        ImGui::GetWindowDrawList()->AddRectFilled(corner, end, label_paper, sheet.radius);
+        draw_text(corner, point.present ? accent : ImGui::GetColorU32(ImGuiCol_Text), point.label);
     }
 }
 

@@ -42,7 +42,7 @@ TEST(AccuracyPlot, joins_the_scales_of_a_tracer_in_their_order) {
     ASSERT_EQ(plot.curves.size(), 1u);
     std::vector<std::string> labels;
     for (const std::size_t point : plot.curves[0]) labels.push_back(plot.points[point].label);
-    EXPECT_EQ(labels, (std::vector<std::string>{"0.25", "0.5", "1"}));
+    EXPECT_EQ(labels, (std::vector<std::string>{"auto 0.25", "0.5", "1"}));
 }
 
 TEST(AccuracyPlot, labels_a_single_point_by_its_tracer_and_other_steps_not_at_all) {
