@@ -58,7 +58,9 @@ oracle::Shot render(const Scene& scene, const std::string& tracer, int width, in
 }
 
 oracle::Reference trace(const Scene& scene, int width, int height) {
-    const oracle::Query query{.width = width, .height = height};
+    oracle::Query query;
+    query.width = width;
+    query.height = height;
     auto reference = oracle::trace(scene.formula, scene.document, query);
     if (!reference) {
         ADD_FAILURE() << scene.name << ": " << text_of(reference.problems());
