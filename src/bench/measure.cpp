@@ -6,8 +6,12 @@
 
 #include "bench/interleave.h"
 #include "bench/kept_program.h"
+#include "bench/plain.h"
 #include "bench/plain_parts.h"
 #include "bench/statistics.h"
+#include "oracle/marked_picture.h"
+#include "oracle/metrics.h"
+#include "render/depth_texture.h"
 #include "shader/assembly.h"
 
 namespace bench {
@@ -19,6 +23,33 @@ constexpr shader::Outputs counted{
 
 /// What the seconds of a program say.
 enum class Part { yardstick, whole, geometry, normal, shading };
+
+oracle::Shot shot(const image::Image<float, 4>& geometry, const image::Image<float, 4>& normal) {
+    oracle::Shot shot;
+    shot.depth = image::Grey(geometry.width, geometry.height);
+    shot.normal = image::Vectors(geometry.width, geometry.height);
+    for (std::size_t i = 0; i < shot.depth.values.size(); ++i) {
+        shot.depth.values[i] = geometry.values[4 * i];
+        std::copy_n(&normal.values[4 * i], 3, &shot.normal.values[3 * i]);
+        const auto status = static_cast<shader::Status>(geometry.values[4 * i + 2]);
+        shot.gave_up.push_back(status == shader::Status::unresolved);
+    }
+    return shot;
+}
+
+Errors errors(const oracle::Metrics& m) {
+    return {m.compared,
+            m.undecided,
+            m.fragile,
+            m.missed,
+            m.phantom,
+            m.moved,
+            m.depth_error.median,
+            m.depth_error.percentile_99,
+            m.depth_error.largest,
+            m.normal_error.median,
+            m.normal_error.percentile_99};
+}
 
 /// Something that is drawn once a round.
 struct Timed {
@@ -32,21 +63,26 @@ struct Timed {
 class Measurement {
 public:
     static base::Result<Measurement> create(render::Context& context, const Subject& subject,
-                                            const Options& options);
+                                            const Options& options,
+                                            const oracle::Reference* reference);
 
     base::Status add_yardstick();
     base::Status add_tracer(const std::string& tracer);
+    base::Status add_plain(const std::string& name);
+    base::Status add_limit();
     base::Status add_passes(const std::string& tracer);
     void draw_rounds();
 
     PresetReport report;
+    std::vector<MarkedPicture> pictures;
 
 private:
     Measurement(render::Context& context, const Subject& subject, const Options& options,
-                render::Canvas picture, render::Canvas geometry)
+                const oracle::Reference* reference, render::Canvas picture, render::Canvas geometry)
         : context_(context),
           subject_(subject),
           options_(options),
+          reference_(reference),
           picture_(std::move(picture)),
           geometry_(std::move(geometry)) {}
 
@@ -54,8 +90,13 @@ private:
     render::Frame frame(const scene::Document& document) const;
     base::Result<KeptProgram> keep_source(const shader::ProgramSource& source);
     base::Result<std::size_t> add_program(const shader::ProgramSource& source);
+    base::Status add_entries(const std::string& tracer, const std::vector<Move>& moves,
+                             const shader::ProgramSource& picture,
+                             const shader::ProgramSource& counting);
     base::Status count(const shader::ProgramSource& source, std::size_t first_entry);
     void count_pixels(Entry& entry);
+    base::Status judge(Entry& entry);
+    base::Result<image::Grey> told_depth();
     double add_timed(Part part, std::size_t entry, std::size_t program,
                      const scene::Document& document);
     void tell(const Timed& timed, std::vector<double> seconds);
@@ -63,13 +104,16 @@ private:
     render::Context& context_;
     const Subject& subject_;
     const Options& options_;
+    const oracle::Reference* reference_;
+    std::optional<render::DepthTexture> told_;
     render::Canvas picture_, geometry_;
     std::vector<KeptProgram> programs_;
     std::vector<Timed> timed_;
 };
 
 base::Result<Measurement> Measurement::create(render::Context& context, const Subject& subject,
-                                              const Options& options) {
+                                              const Options& options,
+                                              const oracle::Reference* reference) {
     const auto canvas = [&](const shader::Outputs& outputs) {
         return render::Canvas::create(context.gl(), options.width, options.height, outputs);
     };
@@ -77,7 +121,8 @@ base::Result<Measurement> Measurement::create(render::Context& context, const Su
     if (!picture) return picture.problems();
     auto geometry = canvas(counted);
     if (!geometry) return geometry.problems();
-    Measurement made(context, subject, options, std::move(*picture), std::move(*geometry));
+    Measurement made(context, subject, options, reference, std::move(*picture),
+                     std::move(*geometry));
     made.report.preset = subject.name;
     made.report.smooth = subject.smooth;
     return made;
@@ -125,12 +170,13 @@ double Measurement::add_timed(Part part, std::size_t entry, std::size_t program,
     return timed_draw(picture_, programs_[program], timed_.back().frame);
 }
 
-base::Status Measurement::add_tracer(const std::string& tracer) {
-    const scene::Document own = document(tracer, {});
-    const auto program = add_program(compile::program_source(subject_.formula, own, picture_only));
+base::Status Measurement::add_entries(const std::string& tracer, const std::vector<Move>& moves,
+                                      const shader::ProgramSource& picture,
+                                      const shader::ProgramSource& counting) {
+    const auto program = add_program(picture);
     if (!program) return program.problems();
     const std::size_t first = report.entries.size();
-    for (const Move& move : moves(options_.sweeps, subject_.document.settings)) {
+    for (const Move& move : moves) {
         Entry entry;
         entry.tracer = tracer;
         entry.move = move;
@@ -140,7 +186,53 @@ base::Status Measurement::add_tracer(const std::string& tracer) {
             add_timed(Part::whole, report.entries.size() - 1, *program, document(tracer, move));
         if (move.name.empty()) report.entries.back().first_frame_seconds = seconds;
     }
-    return count(compile::program_source(subject_.formula, own, counted), first);
+    return count(counting, first);
+}
+
+base::Status Measurement::add_tracer(const std::string& tracer) {
+    const scene::Document own = document(tracer, {});
+    return add_entries(tracer, moves(options_.sweeps, subject_.document.settings),
+                       compile::program_source(subject_.formula, own, picture_only),
+                       compile::program_source(subject_.formula, own, counted));
+}
+
+base::Status Measurement::add_plain(const std::string& name) {
+    return add_entries(name, {Move{}}, plain_source(subject_, name, picture_only),
+                       plain_source(subject_, name, counted));
+}
+
+/// Depths of the reference where it is sure of them, else those of `auto`.
+base::Result<image::Grey> Measurement::told_depth() {
+    const scene::Document own = document("auto", {});
+    const auto kept = keep_source(compile::program_source(subject_.formula, own, counted));
+    if (!kept) return kept.problems();
+    timed_draw(geometry_, *kept, frame(own));
+    const auto geometry = geometry_.read_geometry();
+    image::Grey depth(options_.width, options_.height);
+    for (std::size_t i = 0; i < depth.values.size(); ++i) {
+        const bool sure = reference_ && reference_->pixels[i].verdict != oracle::Verdict::undecided;
+        depth.values[i] =
+            sure ? static_cast<float>(reference_->pixels[i].depth()) : geometry.values[4 * i];
+    }
+    return depth;
+}
+
+base::Status Measurement::add_limit() {
+    const auto depth = told_depth();
+    if (!depth) return depth.problems();
+    auto texture = render::DepthTexture::create(context_.gl(), *depth);
+    if (!texture) return texture.problems();
+    told_ = std::move(*texture);
+    told_->bind();
+    const scene::Document own = document("auto", {});
+    shader::Features picture = compile::features(own, picture_only);
+    picture.told_depth = true;
+    picture.shadows = false;
+    shader::Features counting = picture;
+    counting.outputs = counted;
+    const field::Field& field = subject_.formula.field;
+    return add_entries(std::string(limit_name), {Move{}}, shader::program_source(field, picture),
+                       shader::program_source(field, counting));
 }
 
 /// Draws all settings of one tracer with a program that counts and tells depths.
@@ -151,6 +243,7 @@ base::Status Measurement::count(const shader::ProgramSource& source, std::size_t
         Entry& entry = report.entries[i];
         timed_draw(geometry_, *kept, frame(document(entry.tracer, entry.move)));
         count_pixels(entry);
+        if (auto judged = judge(entry); !judged) return judged;
     }
     return base::Done{};
 }
@@ -167,6 +260,19 @@ void Measurement::count_pixels(Entry& entry) {
         evaluations += normal.values[i + 3];
     }
     entry.evaluations = evaluations / (static_cast<double>(geometry.values.size()) / 4);
+}
+
+/// Holds what the canvas shows against the reference.
+base::Status Measurement::judge(Entry& entry) {
+    if (!reference_ || entry.tracer == limit_name) return base::Done{};
+    const auto metrics =
+        oracle::compare(*reference_, shot(geometry_.read_geometry(), geometry_.read_normal()));
+    if (!metrics) return metrics.problems();
+    entry.errors = errors(*metrics);
+    if (entry.move.name.empty()) {
+        pictures.push_back({entry.tracer, oracle::marked_picture(*reference_, *metrics)});
+    }
+    return base::Done{};
 }
 
 base::Status Measurement::add_passes(const std::string& tracer) {
@@ -224,19 +330,23 @@ void Measurement::draw_rounds() {
 
 }  // namespace
 
-base::Result<PresetReport> measure(render::Context& context, const Subject& subject,
-                                   const Options& options) {
-    auto work = Measurement::create(context, subject, options);
+base::Result<Measured> measure(render::Context& context, const Subject& subject,
+                               const Options& options, const oracle::Reference* reference) {
+    auto work = Measurement::create(context, subject, options, reference);
     if (!work) return work.problems();
     if (auto added = work->add_yardstick(); !added) return added.problems();
     for (const std::string& tracer : options.tracers) {
         if (auto added = work->add_tracer(tracer); !added) return added.problems();
     }
+    for (const std::string& name : plain_names(subject)) {
+        if (auto added = work->add_plain(name); !added) return added.problems();
+    }
+    if (auto added = work->add_limit(); !added) return added.problems();
     for (const std::string& tracer : options.passes) {
         if (auto added = work->add_passes(tracer); !added) return added.problems();
     }
     work->draw_rounds();
-    return std::move(work->report);
+    return Measured{std::move(work->report), std::move(work->pictures)};
 }
 
 }  // namespace bench

@@ -10,6 +10,7 @@
 #include "bench/report.h"
 #include "bench/subject.h"
 #include "image/image.h"
+#include "oracle/reference.h"
 #include "render/context.h"
 
 namespace bench {
@@ -24,10 +25,26 @@ struct Options {
     std::vector<std::string> passes;  ///< tracers whose passes are told apart
 };
 
-/// All programs of a scene are linked once and kept; then, round after round, every configuration
-/// draws one frame, in another order each round. The context must be current. Errors: no memory, a
-/// program that the driver rejects.
-base::Result<PresetReport> measure(render::Context& context, const Subject& subject,
-                                   const Options& options);
+/// Where a tracer at the preset's own settings is wrong (oracle::marked_picture).
+struct MarkedPicture {
+    std::string tracer;
+    image::Picture picture;
+};
+
+struct Measured {
+    PresetReport report;
+    std::vector<MarkedPicture> pictures;  ///< none without a reference
+};
+
+/// All programs of a scene are linked once and kept: one for each tracer, the shaders by hand that
+/// are meant for it, and the limit. Then, round after round, every configuration draws one frame,
+/// in another order each round. Without a reference (null) errors are left open, and the limit is
+/// told the depths of `auto`. The context must be current. Errors: no memory, a program that the
+/// driver rejects, a reference of another size.
+///
+/// Scenes are measured one after the other, not all side by side: llvmpipe keeps no more than 1024
+/// programs or 2 million of their instructions, and would compile the rest again in every round.
+base::Result<Measured> measure(render::Context& context, const Subject& subject,
+                               const Options& options, const oracle::Reference* reference);
 
 }  // namespace bench

@@ -31,11 +31,11 @@ base::Result<bench::Report> measure_all(const BenchOptions& options,
     for (const bench::NamedFile& file : files) {
         const auto subject = bench::read_subject(file.path, file.name, aspect);
         if (!subject) return subject.problems();
-        auto measured = bench::measure(**context, *subject, options.run);
+        auto measured = bench::measure(**context, *subject, options.run, nullptr);
         if (!measured) return measured.problems();
-        fmt::print("{}", bench::preset_text(*measured));
+        fmt::print("{}", bench::preset_text(measured->report));
         std::fflush(stdout);
-        report.presets.push_back(std::move(*measured));
+        report.presets.push_back(std::move(measured->report));
     }
     return report;
 }

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -30,8 +32,8 @@ protected:
         context = std::move(*opened);
     }
     PresetReport run(const Options& options) {
-        auto report = measure(*context, ball(), options);
-        if (report) return std::move(*report);
+        auto report = measure(*context, ball(), options, nullptr);
+        if (report) return std::move(report->report);
         ADD_FAILURE() << report.problems()[0].message;
         return {};
     }
@@ -79,6 +81,49 @@ TEST_F(MeasureTest, counts_pixels_and_evaluations) {
     const Entry* hurried = find(report, "auto", {"steps", 1});
     EXPECT_GT(hurried->unresolved, 0U);
     EXPECT_LT(*hurried->evaluations, *entry->evaluations);
+}
+
+TEST_F(MeasureTest, has_the_shaders_by_hand_and_the_limit_beside_the_tracers) {
+    const PresetReport report = run(small());
+    for (const char* name : {"plain sphere", "plain first-order", "limit"}) {
+        const Entry* entry = find(report, name);
+        ASSERT_NE(entry, nullptr) << name;
+        EXPECT_EQ(entry->seconds.size(), 3U);
+        EXPECT_NEAR(static_cast<double>(entry->hit), static_cast<double>(find(report, "auto")->hit),
+                    12);
+    }
+    EXPECT_EQ(plain_of(report), find(report, "plain sphere"));
+    const Entry* limit = find(report, "limit");
+    EXPECT_DOUBLE_EQ(*limit->evaluations, static_cast<double>(limit->hit) / 1200);
+}
+
+TEST_F(MeasureTest, judges_by_a_reference_and_tells_the_limit_its_depths) {
+    // A wall of the depth 9 in front of the ball, but for its first row.
+    oracle::Reference wall{40, 30, 2 * std::tan(10 * std::numbers::pi / 180) / 30, false, {}};
+    oracle::Pixel hit;
+    hit.verdict = oracle::Verdict::hit;
+    hit.near = hit.far = 9;
+    hit.normal = {0, 0, 1};
+    wall.pixels.assign(1200, hit);
+    oracle::Pixel miss;
+    miss.verdict = oracle::Verdict::miss;
+    miss.near = miss.far = std::numeric_limits<double>::infinity();
+    std::fill_n(wall.pixels.begin(), 40, miss);
+    wall.pixels[40].verdict = oracle::Verdict::undecided;
+    const auto measured = measure(*context, ball(), small(), &wall);
+    ASSERT_TRUE(measured);
+    const PresetReport& report = measured->report;
+    const Entry* entry = find(report, "auto");
+    ASSERT_TRUE(entry->errors);
+    EXPECT_EQ(entry->errors->undecided, 1U);
+    EXPECT_EQ(entry->errors->compared, 1199U);
+    EXPECT_EQ(entry->errors->missed + entry->hit, 1200U - 40 - 1);
+    // The wall fills the bounds, which are larger than the ball.
+    EXPECT_GT(find(report, "limit")->hit, 2 * entry->hit);
+    EXPECT_FALSE(find(report, "limit")->errors);
+    ASSERT_EQ(measured->pictures.size(), 4U);
+    EXPECT_EQ(measured->pictures[0].tracer, "auto");
+    EXPECT_EQ(measured->pictures[0].picture.width, 40);
 }
 
 TEST_F(MeasureTest, tells_the_passes_of_those_tracers_that_are_asked_for) {
