@@ -78,16 +78,18 @@ public:
 
 private:
     Measurement(render::Context& context, const Subject& subject, const Options& options,
-                const oracle::Reference* reference, render::Canvas picture, render::Canvas geometry)
+                const oracle::Reference* reference, render::Canvas picture, render::Canvas geometry,
+                render::Canvas judged)
         : context_(context),
           subject_(subject),
           options_(options),
           reference_(reference),
           picture_(std::move(picture)),
-          geometry_(std::move(geometry)) {}
+          geometry_(std::move(geometry)),
+          judged_(std::move(judged)) {}
 
     scene::Document document(const std::string& tracer, const Move& move) const;
-    render::Frame frame(const scene::Document& document) const;
+    render::Frame frame(const scene::Document& document, const render::Canvas& canvas) const;
     base::Result<KeptProgram> keep_source(const shader::ProgramSource& source);
     base::Result<std::size_t> add_program(const shader::ProgramSource& source);
     base::Status add_entries(const std::string& tracer, const std::vector<Move>& moves,
@@ -106,7 +108,7 @@ private:
     const Options& options_;
     const oracle::Reference* reference_;
     std::optional<render::DepthTexture> told_;
-    render::Canvas picture_, geometry_;
+    render::Canvas picture_, geometry_, judged_;
     std::vector<KeptProgram> programs_;
     std::vector<Timed> timed_;
 };
@@ -114,17 +116,20 @@ private:
 base::Result<Measurement> Measurement::create(render::Context& context, const Subject& subject,
                                               const Options& options,
                                               const oracle::Reference* reference) {
-    const auto canvas = [&](const shader::Outputs& outputs) {
-        return render::Canvas::create(context.gl(), options.width, options.height, outputs);
+    const auto canvas = [&](int width, int height, const shader::Outputs& outputs) {
+        return render::Canvas::create(context.gl(), width, height, outputs);
     };
-    auto picture = canvas(picture_only);
+    auto picture = canvas(options.width, options.height, picture_only);
     if (!picture) return picture.problems();
-    auto geometry = canvas(counted);
+    auto geometry = canvas(options.width, options.height, counted);
     if (!geometry) return geometry.problems();
+    auto judged = canvas(options.reference_width, options.reference_height, counted);
+    if (!judged) return judged.problems();
     Measurement made(context, subject, options, reference, std::move(*picture),
-                     std::move(*geometry));
+                     std::move(*geometry), std::move(*judged));
     made.report.preset = subject.name;
     made.report.smooth = subject.smooth;
+    if (reference) made.report.proven = !reference->heuristic;
     return made;
 }
 
@@ -135,9 +140,10 @@ scene::Document Measurement::document(const std::string& tracer, const Move& mov
     return document;
 }
 
-render::Frame Measurement::frame(const scene::Document& document) const {
+render::Frame Measurement::frame(const scene::Document& document,
+                                 const render::Canvas& canvas) const {
     return render::frame(document, *document.camera,
-                         render::whole(options_.width, options_.height));
+                         render::whole(canvas.width(), canvas.height()));
 }
 
 base::Result<KeptProgram> Measurement::keep_source(const shader::ProgramSource& source) {
@@ -166,7 +172,7 @@ base::Status Measurement::add_yardstick() {
 /// Draws it a first time; the seconds of that.
 double Measurement::add_timed(Part part, std::size_t entry, std::size_t program,
                               const scene::Document& document) {
-    timed_.push_back({part, entry, program, frame(document)});
+    timed_.push_back({part, entry, program, frame(document, picture_)});
     return timed_draw(picture_, programs_[program], timed_.back().frame);
 }
 
@@ -201,16 +207,18 @@ base::Status Measurement::add_plain(const std::string& name) {
                        plain_source(subject_, name, counted));
 }
 
-/// Depths of the reference where it is sure of them, else those of `auto`.
+/// Depths of the reference, if it has this size and is sure of them, else those of `auto`.
 base::Result<image::Grey> Measurement::told_depth() {
     const scene::Document own = document("auto", {});
     const auto kept = keep_source(compile::program_source(subject_.formula, own, counted));
     if (!kept) return kept.problems();
-    timed_draw(geometry_, *kept, frame(own));
+    timed_draw(geometry_, *kept, frame(own, geometry_));
     const auto geometry = geometry_.read_geometry();
     image::Grey depth(options_.width, options_.height);
+    const bool fits =
+        reference_ && reference_->width == depth.width && reference_->height == depth.height;
     for (std::size_t i = 0; i < depth.values.size(); ++i) {
-        const bool sure = reference_ && reference_->pixels[i].verdict != oracle::Verdict::undecided;
+        const bool sure = fits && reference_->pixels[i].verdict != oracle::Verdict::undecided;
         depth.values[i] =
             sure ? static_cast<float>(reference_->pixels[i].depth()) : geometry.values[4 * i];
     }
@@ -241,8 +249,11 @@ base::Status Measurement::count(const shader::ProgramSource& source, std::size_t
     if (!kept) return kept.problems();
     for (std::size_t i = first_entry; i < report.entries.size(); ++i) {
         Entry& entry = report.entries[i];
-        timed_draw(geometry_, *kept, frame(document(entry.tracer, entry.move)));
+        const scene::Document moved = document(entry.tracer, entry.move);
+        timed_draw(geometry_, *kept, frame(moved, geometry_));
         count_pixels(entry);
+        if (!reference_ || entry.tracer == limit_name) continue;
+        timed_draw(judged_, *kept, frame(moved, judged_));
         if (auto judged = judge(entry); !judged) return judged;
     }
     return base::Done{};
@@ -264,9 +275,8 @@ void Measurement::count_pixels(Entry& entry) {
 
 /// Holds what the canvas shows against the reference.
 base::Status Measurement::judge(Entry& entry) {
-    if (!reference_ || entry.tracer == limit_name) return base::Done{};
     const auto metrics =
-        oracle::compare(*reference_, shot(geometry_.read_geometry(), geometry_.read_normal()));
+        oracle::compare(*reference_, shot(judged_.read_geometry(), judged_.read_normal()));
     if (!metrics) return metrics.problems();
     entry.errors = errors(*metrics);
     if (entry.move.name.empty()) {

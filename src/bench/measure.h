@@ -21,6 +21,10 @@ struct Options {
     int width = 640;
     int height = 480;
     int rounds = 7;
+    /// Of the pictures that are held against the reference: errors are not counted at the size that
+    /// is timed, for which a reference would take far longer than all else.
+    int reference_width = 320;
+    int reference_height = 240;
     std::uint32_t seed = 1;
     std::vector<std::string> passes;  ///< tracers whose passes are told apart
 };
@@ -40,7 +44,7 @@ struct Measured {
 /// are meant for it, and the limit. Then, round after round, every configuration draws one frame,
 /// in another order each round. Without a reference (null) errors are left open, and the limit is
 /// told the depths of `auto`. The context must be current. Errors: no memory, a program that the
-/// driver rejects, a reference of another size.
+/// driver rejects, a reference of another size than the options say.
 ///
 /// Scenes are measured one after the other, not all side by side: llvmpipe keeps no more than 1024
 /// programs or 2 million of their instructions, and would compile the rest again in every round.

@@ -68,7 +68,9 @@ struct Entry {
 /// All of one preset. In each round each of its entries was drawn once.
 struct PresetReport {
     std::string preset;
-    bool smooth = false;                    ///< proven: smooth, and defined all over the bounds
+    bool smooth = false;           ///< proven: smooth, and defined all over the bounds
+    bool proven = true;            ///< the reference proves what it does not call undecided
+    double reference_seconds = 0;  ///< what the reference took; 0 without
     std::vector<double> yardstick_seconds;  ///< by round: what a fixed program took beside them
     std::vector<Entry> entries;
 
@@ -79,7 +81,8 @@ struct PresetReport {
 struct Report {
     Machine machine;
     int width = 0, height = 0, rounds = 0;
-    std::string command;  ///< that repeats it
+    int reference_width = 0, reference_height = 0;  ///< of the pictures that are judged
+    std::string command;                            ///< that repeats it
     std::vector<PresetReport> presets;
 };
 

@@ -22,10 +22,24 @@ void add_sweep(bench::Options& run, const std::string& text) {
     run.sweeps.push_back(std::move(*sweep));
 }
 
+void add_size(CLI::App& command, const std::string& name, const std::string& help, int& width,
+              int& height) {
+    command
+        .add_option_function<std::string>(
+            name,
+            [name, &width, &height](const std::string& text) {
+                const Size size = parse_size(text, name);
+                width = size.width;
+                height = size.height;
+            },
+            help)
+        ->type_name("WxH");
+}
+
 void add_run_options(CLI::App& command, bench::Options& run) {
     run.tracers = tracer_names();
     run.passes = {"auto"};
-    run.sweeps = {{"lipschitz", {0.5, 2, 4}}};
+    run.sweeps = {{"lipschitz", {0.5, 2}}, {"epsilon", {0.01, 0.5}}};
     command.add_option("--tracers", run.tracers, "Which tracers, with commas between (all)")
         ->delimiter(',')
         ->check(CLI::IsMember(tracer_names()))
@@ -45,20 +59,14 @@ void add_run_options(CLI::App& command, bench::Options& run) {
                 }
             },
             "Values of a setting that are tried besides the preset's own, such as steps=64,256; of "
-            "lipschitz, steps and epsilon; repeatable; none for none (lipschitz=0.5,2,4)")
+            "lipschitz, steps and epsilon; repeatable; none for none (lipschitz=0.5,2 and "
+            "epsilon=0.01,0.5)")
         ->type_name("NAME=VALUES")
         ->expected(1)
         ->take_all();
-    command
-        .add_option_function<std::string>(
-            "--size",
-            [&run](const std::string& text) {
-                const Size size = parse_size(text, "--size");
-                run.width = size.width;
-                run.height = size.height;
-            },
-            "Pixels (640x480)")
-        ->type_name("WxH");
+    add_size(command, "--size", "Pixels of what is timed (640x480)", run.width, run.height);
+    add_size(command, "--reference-size", "Pixels of what is held against the reference (320x240)",
+             run.reference_width, run.reference_height);
     command.add_option("--rounds", run.rounds, "How often everything is drawn (7)")
         ->check(CLI::Range(1, 1000))
         ->type_name("N");
@@ -72,6 +80,8 @@ void add_bench_options(CLI::App& command, BenchOptions& options) {
     command.add_option("PRESETS", options.presets,
                        "Presets, or folders of them, by path or shipped name (all shipped ones)");
     add_run_options(command, options.run);
+    command.add_flag("--no-reference", options.no_reference,
+                     "Without reference pictures, which take longest: errors are left open");
     command.add_option("--backend", options.backend, "The headless OpenGL in use (osmesa)")
         ->check(CLI::IsMember({"osmesa", "egl"}))
         ->type_name("osmesa|egl");

@@ -18,6 +18,7 @@ struct BenchOptions {
     std::vector<std::string> presets;
     bench::Options run;
     std::string backend = "osmesa";
+    bool no_reference = false;
     std::string command;  ///< as it was typed
 };
 

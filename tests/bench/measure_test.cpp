@@ -47,6 +47,8 @@ Options small() {
     options.sweeps = {{"steps", {1, 1024}}};
     options.width = 40;
     options.height = 30;
+    options.reference_width = 40;
+    options.reference_height = 30;
     options.rounds = 3;
     return options;
 }

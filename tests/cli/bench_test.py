@@ -4,7 +4,7 @@
 
 from program import HELP_LINE, Folder, main, run
 
-TINY = ("--size", "32x24", "--rounds", "2", "--tracers", "auto,sphere", "--sweep", "lipschitz=2")
+TINY = ("--size", "32x24", "--reference-size", "24x18", "--rounds", "2", "--tracers", "auto,sphere", "--sweep", "lipschitz=2")
 
 
 class Bench(Folder):
