@@ -2,6 +2,7 @@
 #include "cli/compare_command.h"
 
 #include <cstdio>
+#include <fstream>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -14,22 +15,41 @@
 #include "image/pfm.h"
 #include "image/png.h"
 #include "oracle/marked_picture.h"
+#include "oracle/reference_file.h"
 #include "oracle/reference_of_depth.h"
 #include "scene/camera.h"
 
 namespace cli {
 namespace {
 
-base::Result<oracle::Reference> read_reference(const CompareOptions& options) {
+bool begins_as_pfm(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return file.get() == 'P';
+}
+
+base::Result<oracle::Reference> read_depth_reference(const CompareOptions& options) {
     const auto depth = image::read_pfm_grey(options.reference);
     if (!depth) return depth.problems();
-    image::Vectors normal;
-    if (!options.normals.empty()) {
-        auto read = image::read_pfm_vectors(options.normals[0]);
-        if (!read) return read.problems();
-        normal = std::move(*read);
+    if (options.normals.empty()) return oracle::reference_of_depth(*depth, {}, options.fov);
+    if (options.normals.size() == 1) {
+        return base::error(fmt::format(
+            "'{}' holds depths alone; --normals must name the normals of both, its own first",
+            options.reference));
     }
-    return oracle::reference_of_depth(*depth, normal, options.fov);
+    const auto normal = image::read_pfm_vectors(options.normals[0]);
+    if (!normal) return normal.problems();
+    return oracle::reference_of_depth(*depth, *normal, options.fov);
+}
+
+base::Result<oracle::Reference> read_reference(const CompareOptions& options) {
+    if (begins_as_pfm(options.reference)) return read_depth_reference(options);
+    auto reference = oracle::read_reference(options.reference);
+    if (reference && options.normals.size() == 2) {
+        return base::error(fmt::format(
+            "'{}' holds normals as well; --normals must name those of the other picture alone",
+            options.reference));
+    }
+    return reference;
 }
 
 base::Result<oracle::Shot> read_shot(const CompareOptions& options) {
@@ -38,7 +58,7 @@ base::Result<oracle::Shot> read_shot(const CompareOptions& options) {
     if (!depth) return depth.problems();
     shot.depth = std::move(*depth);
     if (!options.normals.empty()) {
-        auto normal = image::read_pfm_vectors(options.normals[1]);
+        auto normal = image::read_pfm_vectors(options.normals.back());
         if (!normal) return normal.problems();
         shot.normal = std::move(*normal);
     }
@@ -99,19 +119,24 @@ int fail(const Result& result) {
 CLI::App* add_compare(CLI::App& app, CompareOptions& o) {
     CLI::App* command = app.add_subcommand("compare", "Says how wrong a picture is");
     command
-        ->add_option("REF", o.reference, "What is right: depths, as `render --depth` writes them")
+        ->add_option("REF", o.reference,
+                     "What is right: the file of `oracle --reference`, or a PFM of depths, which "
+                     "leaves nothing undecided and nothing fragile")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("GOT", o.depth, "What is judged: depths, as `render --depth` writes them")
         ->required()
         ->type_name("FILE.pfm");
-    command->add_option("GOT", o.depth, "What is judged: depths")
-        ->required()
-        ->type_name("FILE.pfm");
-    command->add_option("--normals", o.normals, "Normals of both, as `render --normal` writes them")
-        ->expected(2)
+    command
+        ->add_option("--normals", o.normals,
+                     "Normals of GOT, as `render --normal` writes them; before them those of REF "
+                     "if that is a PFM")
+        ->expected(1, 2)
         ->type_name("FILE.pfm");
     command->add_option("--pictures", o.pictures, "Shaded pictures of both")
         ->expected(2)
         ->type_name("FILE.png");
-    command->add_option("--fov", o.fov, "Vertical field of view of the pictures in degrees (45)")
+    command->add_option("--fov", o.fov, "Vertical field of view in degrees where REF is a PFM (45)")
         ->check(CLI::Range(scene::least_fov, scene::greatest_fov))
         ->type_name("NUMBER");
     command->add_option("--json", o.json, "The numbers as JSON; - for standard output")

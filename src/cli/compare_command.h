@@ -13,11 +13,11 @@ class App;
 namespace cli {
 
 struct CompareOptions {
-    std::string reference;              ///< a grey PFM of depths
-    std::string depth;                  ///< likewise, of what is judged
-    std::vector<std::string> normals;   ///< of both, or none
+    std::string reference;              ///< a reference file, or a grey PFM of depths
+    std::string depth;                  ///< of what is judged
+    std::vector<std::string> normals;   ///< of what is judged, after those of a PFM
     std::vector<std::string> pictures;  ///< of both, or none
-    double fov = 45;                    ///< vertical, of the full picture
+    double fov = 45;                    ///< vertical; of a PFM
     std::string json;                   ///< empty: text on standard output; `-`: standard output
     std::string marked;                 ///< where to write the marked picture, or empty
     std::optional<long long> fail_above;

@@ -83,6 +83,32 @@ class Compare(Folder):
         self.assertGreater(other["picture"]["changed"], 20)
         self.assertEqual(struct.unpack(">II", marked.read_bytes()[16:24]), (40, 30))
 
+    def test_a_reference_of_the_oracle(self):
+        reference, depth, normal = (str(self.folder / name) for name in ("r", "d.pfm", "n.pfm"))
+        scene = ("--formula", "x^2 + y^2 + z^2 = 1", "--size", "40x30")
+        run("oracle", *scene, "--reference", reference)
+        run("render", *scene, "--depth", depth, "--normal", normal, "--epsilon", "0.001")
+        numbers = self.numbers(reference, depth, "--normals", normal)
+        self.assertEqual(numbers["pixels"]["wrong"], 0)
+        self.assertGreater(numbers["pixels"]["compared"], 1100)
+        self.assertLess(numbers["depth_error"]["largest"], 1e-5)
+        self.assertLess(numbers["normal_degrees"]["median"], 0.01)
+        self.check(run("compare", reference, depth, "--normals", normal, normal), 1,
+                   f"zeroset: error: '{reference}' holds normals as well; --normals must name those "
+                   "of the other picture alone\n")
+        self.check(run("compare", depth, depth, "--normals", normal), 1,
+                   f"zeroset: error: '{depth}' holds depths alone; --normals must name the normals "
+                   "of both, its own first\n")
+
+    def test_estimates_prove_nothing(self):
+        reference, depth = str(self.folder / "r"), str(self.folder / "d.pfm")
+        scene = ("--formula", "julia()", "--size", "8x6")
+        run("oracle", *scene, "--reference", reference)
+        run("render", *scene, "--depth", depth)
+        self.assertTrue(self.numbers(reference, depth)["heuristic"])
+        self.assertTrue(run("compare", reference, depth).stdout.endswith(
+            "\nThe reference rests on distance estimates of escape-time sets: it proves nothing.\n"))
+
     def test_a_limit_for_scripts(self):
         reference, got = self.pfm("r.pfm", [1, 1]), self.pfm("g.pfm", [INF, 3])
         self.assertEqual(run("compare", reference, got).returncode, 0)
@@ -103,12 +129,13 @@ class Compare(Folder):
                 ((one, two), "the reference has 1x1 pixels, the depth 2x1; compare pictures of one size"),
                 ((two, two, "--normals", colour, colour),
                  "the reference's depth has 2x1 pixels, its normal 1x1; both must be of one picture"),
-                ((text, one), f"cannot read '{text}': it is not a PFM file"),
+                ((one, text), f"cannot read '{text}': it is not a PFM file"),
                 ((one, colour), f"cannot read '{colour}': it is a colour PFM, not a grey one"),
                 ((one, one, "--marked", str(self.folder)),
                  f"cannot write '{self.folder}': it is a folder; name a file in it")):
             self.check(run("compare", *arguments), 1, f"zeroset: error: {message}\n")
-        self.assertEqual(run("compare", one, none).returncode, 1)
+        for arguments in ((text, one), (none, one), (one, none)):
+            self.assertEqual(run("compare", *arguments).returncode, 1)
 
     def test_pictures_of_two_sizes(self):
         depth = self.pfm("1.pfm", [1])
@@ -120,7 +147,7 @@ class Compare(Folder):
 
     def test_wrong_usage(self):
         one = self.pfm("1.pfm", [1])
-        for arguments in ((one,), (one, one, "--fov", "0"), (one, one, "--normals", one),
+        for arguments in ((one,), (one, one, "--fov", "0"), (one, one, "--pictures", one),
                           (one, one, "--fail-above", "-1")):
             self.assertEqual(run("compare", *arguments).returncode, 2, arguments)
 
