@@ -3,7 +3,6 @@
 // only shrink. `UPDATE_TORTURE=1` records what got better and what is new; `UPDATE_TORTURE=raise`
 // takes everything as it is.
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <set>
@@ -14,12 +13,12 @@
 #include "base/file.h"
 #include "image/png.h"
 #include "oracle/marked_picture.h"
-#include "shader/program_source.h"
 #include "torture/exact_answer.h"
 #include "torture/known_failures.h"
 #include "torture/scene.h"
 #include "torture/tracing.h"
 #include "torture/twin.h"
+#include "torture/update.h"
 
 namespace torture {
 namespace {
@@ -30,14 +29,6 @@ const fs::path table_path =
     fs::path(ZEROSET_SOURCE_DIR) / "tests" / "torture" / "known_failures.json";
 const fs::path failures_folder = fs::path(ZEROSET_BINARY_DIR) / "torture-failures";
 
-enum class Mode { check, shrink, raise };
-
-Mode mode() {
-    const char* value = std::getenv("UPDATE_TORTURE");
-    const std::string text = value ? value : "";
-    return text == "raise" ? Mode::raise : text == "1" ? Mode::shrink : Mode::check;
-}
-
 /// The recorded numbers, and those of this run, which are written at its end if asked for.
 class Table : public testing::Environment {
 public:
@@ -45,13 +36,13 @@ public:
         auto read = read_records(table_path);
         if (read) {
             recorded = std::move(*read);
-        } else if (mode() == Mode::check) {
+        } else if (update() == Update::none) {
             ADD_FAILURE() << text_of(read.problems());
         }
     }
 
     void TearDown() override {
-        if (mode() == Mode::check || updated.empty()) return;
+        if (update() == Update::none || updated.empty()) return;
         for (auto& [name, record] : updated) recorded[name] = std::move(record);
         const auto names = scene_names();
         std::erase_if(recorded, [&](const auto& entry) {
@@ -100,11 +91,11 @@ Failures judge(const Scene& scene, const std::string& tracer, const oracle::Refe
     const Failures now = failures_of(metrics);
     const auto known = record ? record->tracers.find(tracer) : decltype(record->tracers.end()){};
     if (!record || known == record->tracers.end()) {
-        EXPECT_NE(mode(), Mode::check)
+        EXPECT_NE(update(), Update::none)
             << tracer << " is not recorded; UPDATE_TORTURE=1 records it: " << numbers(now);
         return now;
     }
-    if (mode() == Mode::raise) return now;
+    if (update() == Update::raise) return now;
     if (is_worse(now, known->second)) {
         ADD_FAILURE() << scene.name << " by " << tracer << " got worse: " << numbers(now)
                       << "; recorded are " << numbers(known->second) << "; see "
@@ -112,7 +103,7 @@ Failures judge(const Scene& scene, const std::string& tracer, const oracle::Refe
                       << "\nIf that must be, UPDATE_TORTURE=raise records it.";
         return known->second;
     }
-    if (mode() == Mode::check && is_better(now, known->second)) {
+    if (update() == Update::none && is_better(now, known->second)) {
         std::cout << scene.name << " by " << tracer << " got better: " << numbers(now)
                   << "; recorded are " << numbers(known->second)
                   << ". UPDATE_TORTURE=1 records it.\n";
@@ -129,9 +120,9 @@ TEST_P(Torture, is_no_worse_than_recorded) {
     const auto found = table->recorded.find(scene.name);
     const SceneRecord* record = found == table->recorded.end() ? nullptr : &found->second;
     SceneRecord result;
-    for (const shader::TracerName& name : shader::tracers()) {
-        const std::string tracer(name.name);
-        const auto metrics = oracle::compare(reference, render(scene, tracer, width, height));
+    for (const Variant& variant : variants()) {
+        const std::string& tracer = variant.name;
+        const auto metrics = oracle::compare(reference, render(scene, variant, width, height));
         ASSERT_TRUE(metrics) << tracer << ": " << text_of(metrics.problems());
         EXPECT_EQ(metrics->no_depth, 0u) << tracer << " wrote depths that are NaN or negative";
         result.compared = metrics->compared;
@@ -139,7 +130,7 @@ TEST_P(Torture, is_no_worse_than_recorded) {
         result.fragile = metrics->fragile;
         result.tracers[tracer] = judge(scene, tracer, reference, *metrics, record);
     }
-    if (record && mode() != Mode::raise) {
+    if (record && update() != Update::raise) {
         EXPECT_LE(result.undecided, record->undecided + allowance(record->undecided))
             << "the oracle decides less";
         EXPECT_LE(result.fragile, record->fragile + allowance(record->fragile));
@@ -153,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Torture, testing::ValuesIn(scene_names()),
 TEST(KnownFailures, are_of_scenes_and_tracers_that_exist) {
     const auto names = scene_names();
     std::set<std::string> tracers;
-    for (const shader::TracerName& tracer : shader::tracers()) tracers.emplace(tracer.name);
+    for (const Variant& variant : variants()) tracers.insert(variant.name);
     for (const auto& [name, record] : table->recorded) {
         EXPECT_TRUE(std::binary_search(names.begin(), names.end(), name))
             << name << " is no scene; UPDATE_TORTURE=1 removes it";

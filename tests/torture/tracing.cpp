@@ -37,10 +37,21 @@ render::Context* context() {
 
 }  // namespace
 
-oracle::Shot render(const Scene& scene, const std::string& tracer, int width, int height) {
+std::vector<Variant> variants() {
+    std::vector<Variant> list;
+    for (const shader::TracerName& tracer : shader::tracers()) {
+        const std::string name(tracer.name);
+        list.push_back({name, name, std::nullopt});
+    }
+    list.push_back({"auto, epsilon 0.01", "auto", 0.01});
+    return list;
+}
+
+oracle::Shot render(const Scene& scene, const Variant& variant, int width, int height) {
     if (!context()) return {};
     scene::Document document = scene.document;
-    document.settings.tracer = tracer;
+    document.settings.tracer = variant.tracer;
+    if (variant.epsilon) document.settings.epsilon = *variant.epsilon;
     const shader::Outputs outputs{.picture = false, .geometry = true, .normal = true};
     const shader::ProgramSource source = compile::program_source(scene.formula, document, outputs);
     const std::vector<float> values = compile::field_values(scene.formula, source, document);
@@ -51,7 +62,7 @@ oracle::Shot render(const Scene& scene, const std::string& tracer, int width, in
     const auto still = render::draw_still(*context(), source, values, frame_of,
                                           render::whole(width, height), outputs);
     if (!still) {
-        ADD_FAILURE() << scene.name << " by " << tracer << ": " << text_of(still.problems());
+        ADD_FAILURE() << scene.name << " by " << variant.name << ": " << text_of(still.problems());
         return {};
     }
     return shot_of(*still);
