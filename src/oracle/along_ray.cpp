@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "oracle/along_ray.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace oracle {
@@ -47,6 +48,37 @@ Interval around_chord(const Piece& piece, const Interval& bend) {
 
 }  // namespace
 
+Sides sides_of(graph::Op op, std::span<const Interval> arguments) {
+    const Interval whole = eval::apply(op, arguments);
+    if (!whole.jumps || whole.is_empty()) return {whole};
+    const bool defined = std::ranges::none_of(arguments, &Interval::partial);
+    const bool continuous = std::ranges::none_of(arguments, &Interval::jumps);
+    if (!defined || !continuous) return {whole};
+    if (op == graph::Op::select_less) return {arguments[2], arguments[3]};
+    if (op == graph::Op::atan2) {
+        const Interval &y = arguments[0], &x = arguments[1];
+        if (!(y.lo < 0 && y.hi >= 0)) return {whole};
+        return {atan2(Interval{0, y.hi}, x), atan2(Interval{y.lo, numeric::next_down(0)}, x)};
+    }
+    if (whole.hi - whole.lo > 2) return {whole};
+    Sides sides{};
+    for (double step = whole.lo; step <= whole.hi; ++step) sides.add(step);
+    return sides;
+}
+
+std::array<Interval, 3> AlongRay::place(Interval t) const {
+    std::array<Interval, 3> place;
+    for (int i = 0; i < 3; ++i) {
+        place[static_cast<std::size_t>(i)] = Interval(ray_.origin[i]) + ray_.direction[i] * t;
+    }
+    return place;
+}
+
+const std::vector<std::size_t>& AlongRay::cuts(Function function) const {
+    return function.what == Function::What::solid ? shape_.solids[function.number].cuts
+                                                  : shape_.expressions[function.number].cuts;
+}
+
 double AlongRay::near(Function function, double t) {
     const glm::dvec3 p = ray_.at(t);
     numbers_.move_to({p.x, p.y, p.z});
@@ -54,11 +86,7 @@ double AlongRay::near(Function function, double t) {
 }
 
 Interval AlongRay::over(Function function, Interval t) {
-    std::array<Interval, 3> place;
-    for (int i = 0; i < 3; ++i) {
-        place[static_cast<std::size_t>(i)] = Interval(ray_.origin[i]) + ray_.direction[i] * t;
-    }
-    intervals_.move_to(place);
+    intervals_.move_to(place(t));
     return value_of(intervals_, function);
 }
 

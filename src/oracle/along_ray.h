@@ -19,10 +19,27 @@ struct Function {
     std::size_t number = 0;
 };
 
+/// What an operator that may jump may be on its sides, up to three; together all its values.
+class Sides {
+public:
+    Sides(std::initializer_list<numeric::Interval> list) {
+        for (const numeric::Interval& side : list) add(side);
+    }
+    void add(const numeric::Interval& side) { list_[count_++] = side; }
+    const numeric::Interval* begin() const { return list_.data(); }
+    const numeric::Interval* end() const { return list_.data() + count_; }
+
+private:
+    std::array<numeric::Interval, 3> list_;
+    std::size_t count_ = 0;
+};
+Sides sides_of(graph::Op op, std::span<const numeric::Interval> arguments);
+
 /// Evaluates along a ray, again and again. Not for several threads.
 class AlongRay {
 public:
-    explicit AlongRay(const Shape& shape) : numbers_(shape), intervals_(shape), jets_(shape) {}
+    explicit AlongRay(const Shape& shape)
+        : shape_(shape), numbers_(shape), intervals_(shape), jets_(shape) {}
 
     void take(const Ray& ray) { ray_ = ray; }
     const Ray& ray() const { return ray_; }
@@ -33,8 +50,37 @@ public:
     /// undefined.
     numeric::Interval over(Function function, numeric::Interval t);
     RayJet jet_over(Function function, numeric::Interval t);
+    /// True if the function has one of few jumps somewhere in t, and all its values on each side of
+    /// these, taken by itself, are `good`.
+    template <class Good>
+    bool on_each_side(Function function, numeric::Interval t, Good good) {
+        intervals_.move_to(place(t));
+        int sides = 0;
+        return visit_sides(function, 0, sides, good) && sides > 1;
+    }
 
 private:
+    std::array<numeric::Interval, 3> place(numeric::Interval t) const;
+    const std::vector<std::size_t>& cuts(Function function) const;
+    template <class Good>
+    bool visit_sides(Function function, std::size_t next, int& sides, Good good) {
+        const std::vector<std::size_t>& list = cuts(function);
+        if (next == list.size()) {
+            return ++sides <= most_sides &&
+                   good(function.what == Function::What::solid
+                            ? intervals_.solid_of_cuts(function.number)
+                            : intervals_.expression_of_cuts(function.number));
+        }
+        const Cut& cut = shape_.cuts[list[next]];
+        for (const numeric::Interval& side : sides_of(cut.op, intervals_.arguments(cut))) {
+            intervals_.set(cut.variable, side);
+            if (!visit_sides(function, next + 1, sides, good)) return false;
+        }
+        return true;
+    }
+
+    static constexpr int most_sides = 16;
+    const Shape& shape_;
     Ray ray_;
     Values<double> numbers_;
     Values<numeric::Interval> intervals_;

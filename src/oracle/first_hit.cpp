@@ -122,6 +122,10 @@ FirstHit::Fate FirstHit::judge(const Target& target, Piece& piece) {
     const Interval values = along_.over(target.function, t);
     if (is_positive(values) || (sheet && is_negative(values))) return Fate::empty;
     if (values.is_empty() || (sheet && is_clipped_away(target, piece))) return Fate::empty;
+    const bool apart = along_.on_each_side(target.function, t, [&](const Interval& side) {
+        return is_positive(side) || (sheet && is_negative(side));
+    });
+    if (apart) return Fate::empty;
     const RayJet jet = along_.jet_over(target.function, t);
     return sheet ? judge_sheet(target, piece, jet) : judge_solid(target, piece, jet);
 }

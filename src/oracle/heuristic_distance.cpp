@@ -16,10 +16,7 @@ std::vector<double> loaded(const eval::Tape& tape, const std::vector<double>& pa
 }  // namespace
 
 HeuristicDistance::HeuristicDistance(const Shape& shape)
-    : shape_(shape), variables_(shape.variable_count), gradients_(shape) {
-    for (const eval::Tape& tape : shape.tapes) {
-        registers_.push_back(loaded(tape, shape.parameters));
-    }
+    : shape_(shape), variables_(shape.variable_count), values_(shape), gradients_(shape) {
     std::size_t most = 3;
     for (const Loop& loop : shape.loops) {
         const auto with = [&](const eval::Tape& tape) { return loaded(tape, shape.parameters); };
@@ -73,9 +70,7 @@ double HeuristicDistance::loop(std::size_t number) {
 }
 
 double HeuristicDistance::formula(const Solid& node, What what) {
-    double value = 0;
-    run(shape_.tapes[node.source], registers_[node.source], std::span(&value, 1));
-    value = outside_if_undefined(value);
+    const double value = outside_if_undefined(values_.expression(node.source));
     if (what == What::value || node.distance || std::isinf(value)) return value;
     using numeric::Dual;
     gradients_.move_to({Dual<double>::variable(point_.x, 0), Dual<double>::variable(point_.y, 1),
@@ -86,15 +81,9 @@ double HeuristicDistance::formula(const Solid& node, What what) {
 }
 
 double HeuristicDistance::blend(const Solid& node) {
-    for (std::size_t i = 0; i < node.operands.size(); ++i) {
-        const double value = as_operand(of(node.operands[i], What::value));
-        variables_[graph::index(node.values[i])] = value;
-    }
-    std::array<double, 2> roots{};
-    const eval::Tape& tape = shape_.tapes[node.source];
-    run(tape, registers_[node.source], std::span(roots).first(tape.roots.size()));
-    return outside_if_undefined(roots[0]) +
-           (tape.roots.size() > 1 ? outside_if_undefined(roots[1]) : 0);
+    std::vector<double> operands;
+    for (const std::size_t operand : node.operands) operands.push_back(of(operand, What::value));
+    return values_.mix(node, operands);
 }
 
 double HeuristicDistance::of(std::size_t solid, What what) {
@@ -120,6 +109,7 @@ double HeuristicDistance::of(std::size_t solid, What what) {
 double HeuristicDistance::operator()(std::size_t solid, glm::dvec3 point) {
     point_ = point;
     for (int i = 0; i < 3; ++i) variables_[static_cast<std::size_t>(i)] = point[i];
+    values_.move_to({point.x, point.y, point.z});
     return of(solid, What::distance);
 }
 

@@ -38,8 +38,8 @@ private:
     const Shape& shape_;
     glm::dvec3 point_{0};
     std::vector<double> variables_, results_;
-    std::vector<std::vector<double>> registers_;  ///< of tapes
     std::vector<LoopRegisters> loop_registers_;
+    Values<double> values_;
     Values<numeric::Dual<double>> gradients_;
 };
 

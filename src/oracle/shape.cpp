@@ -9,6 +9,9 @@
 
 #include "field/parts.h"
 #include "graph/substitute.h"
+#include "oracle/expressions.h"
+#include "oracle/unroll.h"
+#include "oracle/zero_set.h"
 
 namespace oracle {
 namespace {
@@ -40,13 +43,13 @@ public:
         : field_(field), graph_(field.graph) {
         shape_.parameters.assign(parameters.begin(), parameters.end());
         shape_.parameters.resize(graph_.parameter_count(), 0.0);
-        shape_.variable_count = graph_.variable_count();
     }
 
     Shape build() {
         const Union all = visit(field_.root, {field::coordinates(graph_)});
         shape_.parts = all.parts;
         shape_.sheets = all.sheets;
+        expressions_.finish(shape_);
         return std::move(shape_);
     }
 
@@ -58,18 +61,26 @@ private:
 
     Union visit_node(const field::Formula& node, const Place& place) {
         const int object = object_++;
-        const std::size_t tape = add_tape({seen(node.value, place)});
-        if (node.kind == field::Kind::sheet) {
-            return {{}, {{.source = tape, .object = object}}};
+        const NodeId value = seen(node.value, place);
+        if (node.kind == field::Kind::solid) {
+            return one({.what = Solid::What::formula,
+                        .source = expressions_.add(value),
+                        .distance = node.metric == field::Metric::distance,
+                        .object = object},
+                       place);
         }
-        return one({.what = Solid::What::formula,
-                    .source = tape,
-                    .operands = {},
-                    .distance = node.metric == field::Metric::distance,
-                    .object = object},
-                   place);
+        Union all;
+        for (const ZeroSet& set : zero_sets(graph_, value)) {
+            Sheet sheet{.source = expressions_.add(set.zero), .object = object};
+            for (const NodeId guard : set.guards) sheet.guards.push_back(expressions_.add(guard));
+            all.sheets.push_back(std::move(sheet));
+        }
+        return all;
     }
     Union visit_node(const field::Iteration& node, const Place& place) {
+        if (const auto formula = unrolled(graph_, node, number(node.limit))) {
+            return visit_node(*formula, place);
+        }
         const auto tape = [&](std::span<const NodeId> roots) {
             return eval::make_tape(graph_, roots);
         };
@@ -79,7 +90,6 @@ private:
                                 std::round(number(node.limit))});
         return one({.what = Solid::What::loop,
                     .source = shape_.loops.size() - 1,
-                    .operands = {},
                     .object = object_++,
                     .has_loops = true},
                    place);
@@ -107,7 +117,7 @@ private:
                 {}};
     }
     Union visit_node(const field::Blend& node, const Place& place) {
-        Solid blend{.what = Solid::What::blend, .operands = {}, .values = node.values};
+        Solid blend{.what = Solid::What::blend, .values = node.values};
         std::vector<std::size_t> walls = walls_of(place);
         for (const FieldId operand : node.operands) {
             const Part part = united(visit(operand, place));
@@ -116,7 +126,7 @@ private:
         }
         std::vector<NodeId> roots{node.value};
         if (node.displacement) roots.push_back(seen(*node.displacement, place));
-        blend.source = add_tape(roots);
+        blend.source = expressions_.add(roots);
         return {{{add(std::move(blend)), walls}}, {}};
     }
     Union visit_node(const field::Choice& node, const Place& place) {
@@ -149,13 +159,6 @@ private:
     double number(NodeId id) const {
         return eval::evaluate(graph_, id, glm::dvec3(0), shape_.parameters);
     }
-    std::size_t add_tape(std::span<const NodeId> roots) {
-        shape_.tapes.push_back(eval::make_tape(graph_, roots));
-        return shape_.tapes.size() - 1;
-    }
-    std::size_t add_tape(std::initializer_list<NodeId> roots) {
-        return add_tape(std::span(roots.begin(), roots.size()));
-    }
     std::size_t add(Solid solid) {
         for (const std::size_t operand : solid.operands) {
             solid.has_loops = solid.has_loops || shape_.solids[operand].has_loops;
@@ -165,7 +168,7 @@ private:
     }
     std::vector<std::size_t> walls_of(const Place& place) {
         std::vector<std::size_t> walls;
-        for (const NodeId wall : place.walls) walls.push_back(add_tape({wall}));
+        for (const NodeId wall : place.walls) walls.push_back(expressions_.add(wall));
         return walls;
     }
     Union one(Solid solid, const Place& place) {
@@ -197,6 +200,7 @@ private:
 
     const field::Field& field_;
     graph::Graph graph_;
+    Expressions expressions_{graph_};
     Shape shape_;
     int object_ = 0;
 };

@@ -22,22 +22,37 @@ struct Loop {
     double limit = 0;
 };
 
+/// An operator that may jump (floor, a choice, ...). Its value is a variable of all expressions, so
+/// that each side of a jump can be looked at by itself.
+struct Cut {
+    graph::Op op{};
+    graph::VariableId variable{};
+    std::size_t arguments = 0;  ///< an expression with a root for each argument
+};
+
+/// Of the point, of parameters, and of the cuts that it lists, each before those that need it.
+struct Expression {
+    eval::Tape tape;
+    std::vector<std::size_t> cuts;
+};
+
 /// A node of a tree of solids. Its value is below or at 0 inside; where it is undefined is outside.
 struct Solid {
     enum class What { formula, loop, least, most, complement, blend };
     What what = What::formula;
-    std::size_t source = 0;             ///< of a formula and a blend its tape, of a loop its number
-    std::vector<std::size_t> operands;  ///< solids
-    std::vector<graph::VariableId> values{};  ///< of a blend: its operands' in its tape
+    std::size_t source = 0;  ///< of a formula and a blend its expression, of a loop its number
+    std::vector<std::size_t> operands{};      ///< solids
+    std::vector<graph::VariableId> values{};  ///< of a blend: its operands' in its expression
     bool distance = false;                    ///< of a formula: 1-Lipschitz
     int object = -1;                          ///< of a leaf
     bool has_loops = false;                   ///< at or below
+    std::vector<std::size_t> cuts{};          ///< of all that is below
 };
 
-/// The zeros of a formula, where all guards are defined and not 0, inside of a solid.
+/// The zeros of an expression, where all guards are defined and not 0, inside of a solid.
 struct Sheet {
-    std::size_t source = 0;             ///< a tape
-    std::vector<std::size_t> guards{};  ///< tapes
+    std::size_t source = 0;             ///< an expression
+    std::vector<std::size_t> guards{};  ///< expressions
     std::optional<std::size_t> clip{};  ///< a solid
     int object = -1;
 };
@@ -45,14 +60,16 @@ struct Sheet {
 /// A solid that is a part of the union.
 struct Part {
     std::size_t solid = 0;
-    /// At least 0 inside of the cell where the point is, affine in it; only of a solid with loops.
+    /// Expressions, at least 0 inside of the cell where the point is, affine in it; only of a solid
+    /// with loops.
     std::vector<std::size_t> walls{};
 };
 
 struct Shape {
     std::vector<double> parameters;  ///< indexed by ParameterId
     std::size_t variable_count = 0;
-    std::vector<eval::Tape> tapes;
+    std::vector<Expression> expressions;
+    std::vector<Cut> cuts;
     std::vector<Loop> loops;
     std::vector<Solid> solids;
     std::vector<Part> parts;

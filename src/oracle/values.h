@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "eval/operators.h"
 #include "field/field.h"
 #include "numeric/jet_operators.h"
 #include "numeric/real.h"
@@ -43,8 +44,10 @@ inline numeric::Interval as_operand(const numeric::Interval& value) {
 template <numeric::AnyJet J>
 J as_operand(J jet) {
     const auto near = as_operand(jet.value);
-    if (!(near == jet.value)) jet = J(near), jet.smooth = false;
-    return jet;
+    if (near == jet.value) return jet;
+    J result(near);
+    result.smooth = false;
+    return result;
 }
 
 /// Evaluates expressions and solids at a place, which is a point or a stretch of a ray. Not for
@@ -53,11 +56,11 @@ template <class T>
 class Values {
 public:
     explicit Values(const Shape& shape)
-        : shape_(shape), variables_(shape.variable_count), registers_(shape.tapes.size()) {
+        : shape_(shape), variables_(shape.variable_count), registers_(shape.expressions.size()) {
         std::vector<T> parameters;
         for (const double parameter : shape.parameters) parameters.push_back(T(parameter));
-        for (std::size_t i = 0; i < shape.tapes.size(); ++i) {
-            eval::load_parameters<T>(shape.tapes[i], parameters, registers_[i]);
+        for (std::size_t i = 0; i < shape.expressions.size(); ++i) {
+            eval::load_parameters<T>(shape.expressions[i].tape, parameters, registers_[i]);
         }
     }
 
@@ -65,26 +68,55 @@ public:
         std::copy(place.begin(), place.end(), variables_.begin());
     }
     /// Of the first root.
-    T expression(std::size_t tape) {
-        T result{};
-        eval::evaluate_loaded<T>(shape_.tapes[tape], variables_, std::span<T>(&result, 1),
-                                 registers_[tape]);
-        return result;
+    T expression(std::size_t number) {
+        set_cuts(shape_.expressions[number].cuts);
+        return expression_of_cuts(number);
     }
     /// Not for a solid with loops.
     T solid(std::size_t number) {
+        set_cuts(shape_.solids[number].cuts);
+        return solid_of_cuts(number);
+    }
+    /// A blend's value from those of its operands.
+    T mix(const Solid& blend, std::span<const T> operands) {
+        set_cuts(shape_.expressions[blend.source].cuts);
+        return mix_of_cuts(blend, operands);
+    }
+
+    // For looking at each side of a jump by itself: what the variable of a cut may be, and then
+    // values as it was set.
+
+    /// The arguments of a cut.
+    std::span<const T> arguments(const Cut& cut) {
+        const std::size_t count = graph::arity(cut.op);
+        run(cut.arguments, std::span(arguments_).first(count));
+        return std::span(arguments_).first(count);
+    }
+    void set(graph::VariableId variable, const T& value) {
+        variables_[graph::index(variable)] = value;
+    }
+    T expression_of_cuts(std::size_t number) {
+        T result{};
+        run(number, std::span<T>(&result, 1));
+        return result;
+    }
+    T solid_of_cuts(std::size_t number) {
         const Solid& node = shape_.solids[number];
+        const auto operand = [&](std::size_t i) { return solid_of_cuts(node.operands[i]); };
         switch (node.what) {
             case Solid::What::formula:
-                return outside_if_undefined(expression(node.source));
+                return outside_if_undefined(expression_of_cuts(node.source));
             case Solid::What::least:
-                return numeric::min(solid(node.operands[0]), solid(node.operands[1]));
+                return numeric::min(operand(0), operand(1));
             case Solid::What::most:
-                return numeric::max(solid(node.operands[0]), solid(node.operands[1]));
+                return numeric::max(operand(0), operand(1));
             case Solid::What::complement:
-                return numeric::neg(solid(node.operands[0]));
-            case Solid::What::blend:
-                return blend(node);
+                return numeric::neg(operand(0));
+            case Solid::What::blend: {
+                std::array<T, most_operands> values{};
+                for (std::size_t i = 0; i < node.operands.size(); ++i) values[i] = operand(i);
+                return mix_of_cuts(node, std::span(values).first(node.operands.size()));
+            }
             case Solid::What::loop:
                 break;
         }
@@ -92,22 +124,33 @@ public:
     }
 
 private:
-    T blend(const Solid& node) {
-        for (std::size_t i = 0; i < node.operands.size(); ++i) {
-            const T value = as_operand(solid(node.operands[i]));
-            variables_[graph::index(node.values[i])] = value;
+    static constexpr std::size_t most_operands = 4;
+
+    void run(std::size_t expression, std::span<T> roots) {
+        eval::evaluate_loaded<T>(shape_.expressions[expression].tape, variables_, roots,
+                                 registers_[expression]);
+    }
+    void set_cuts(const std::vector<std::size_t>& cuts) {
+        for (const std::size_t number : cuts) {
+            const Cut& cut = shape_.cuts[number];
+            set(cut.variable, eval::apply<T>(cut.op, arguments(cut)));
+        }
+    }
+    T mix_of_cuts(const Solid& node, std::span<const T> operands) {
+        for (std::size_t i = 0; i < operands.size(); ++i) {
+            set(node.values[i], as_operand(operands[i]));
         }
         std::array<T, 2> roots{};
-        const eval::Tape& tape = shape_.tapes[node.source];
-        eval::evaluate_loaded<T>(tape, variables_, std::span(roots).first(tape.roots.size()),
-                                 registers_[node.source]);
+        const std::size_t count = shape_.expressions[node.source].tape.roots.size();
+        run(node.source, std::span(roots).first(count));
         const T value = outside_if_undefined(roots[0]);
-        if (tape.roots.size() < 2) return value;
+        if (count < 2) return value;
         return outside_if_undefined(numeric::add(value, outside_if_undefined(roots[1])));
     }
 
     const Shape& shape_;
     std::vector<T> variables_;
+    std::array<T, graph::max_arity> arguments_{};
     std::vector<std::vector<T>> registers_;
 };
 
