@@ -69,7 +69,8 @@ Sides sides_of(graph::Op op, std::span<const Interval> arguments) {
 std::array<Interval, 3> AlongRay::place(Interval t) const {
     std::array<Interval, 3> place;
     for (int i = 0; i < 3; ++i) {
-        place[static_cast<std::size_t>(i)] = Interval(ray_.origin[i]) + ray_.direction[i] * t;
+        place[static_cast<std::size_t>(i)] =
+            Interval(beam_.origin[i]) + beam_.direction[static_cast<std::size_t>(i)] * t;
     }
     return place;
 }
@@ -91,11 +92,9 @@ Interval AlongRay::over(Function function, Interval t) {
 }
 
 RayJet AlongRay::jet_over(Function function, Interval t) {
+    const std::array<Interval, 3> at = place(t);
     std::array<RayJet, 3> place;
-    for (int i = 0; i < 3; ++i) {
-        place[static_cast<std::size_t>(i)] = RayJet::along(
-            Interval(ray_.origin[i]) + ray_.direction[i] * t, Interval(ray_.direction[i]));
-    }
+    for (std::size_t i = 0; i < 3; ++i) place[i] = RayJet::along(at[i], beam_.direction[i]);
     jets_.move_to(place);
     return value_of(jets_, function);
 }

@@ -41,10 +41,21 @@ public:
     explicit AlongRay(const Shape& shape)
         : shape_(shape), numbers_(shape), intervals_(shape), jets_(shape) {}
 
-    void take(const Ray& ray) { ray_ = ray; }
-    const Ray& ray() const { return ray_; }
+    void take(const Ray& ray) {
+        ray_ = ray;
+        beam_ = ray;
+    }
+    /// Enclosures are then those of all rays of the beam.
+    void take(const Beam& beam) { beam_ = beam; }
 
-    /// In double precision, without a proof.
+    /// How far the points of the beam's rays are apart at distance 1, at most in each coordinate.
+    double spread() const {
+        double most = 0;
+        for (const auto& part : beam_.direction) most = std::max(most, part.hi - part.lo);
+        return most;
+    }
+
+    /// In double precision, without a proof. Only for a ray.
     double near(Function function, double t);
     /// An enclosure of the values over t. That of a solid ends at +infinity where it may be
     /// undefined.
@@ -82,6 +93,7 @@ private:
     static constexpr int most_sides = 16;
     const Shape& shape_;
     Ray ray_;
+    Beam beam_;
     Values<double> numbers_;
     Values<numeric::Interval> intervals_;
     Values<RayJet> jets_;

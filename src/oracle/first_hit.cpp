@@ -33,19 +33,68 @@ Found nearer(const Found& a, const Found& b) {
     if (a.verdict == Verdict::miss) return b;
     const Found& first = a.near <= b.near ? a : b;
     const Found& second = a.near <= b.near ? b : a;
-    Found result = first;
     // Something is there at the second's far end at the latest.
-    if (second.verdict == Verdict::hit && second.far < first.far) {
-        result = second;
-        result.near = first.near;
-        if (first.verdict == Verdict::hit) result.verdict = Verdict::hit;
-        if (result.far - result.near > enclosure * result.far) result.verdict = first.verdict;
-    }
+    if (second.verdict != Verdict::hit || second.far >= first.far) return first;
+    Found result = second;
+    result.near = first.near;
+    const bool narrow = result.far - result.near <= enclosure * result.far;
+    if (first.verdict == Verdict::undecided && !narrow) result.verdict = Verdict::undecided;
     return result;
+}
+
+FirstHit::FirstHit(const Shape& shape) : shape_(shape), along_(shape) {
+    for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+        const std::size_t solid = shape.parts[i].solid;
+        if (shape.solids[solid].has_loops) continue;
+        targets_.push_back({Found::Of::solid, i, {Function::What::solid, solid}});
+    }
+    for (std::size_t i = 0; i < shape.sheets.size(); ++i) {
+        const Sheet& sheet = shape.sheets[i];
+        targets_.push_back(
+            {Found::Of::sheet, i, {Function::What::expression, sheet.source}, &sheet});
+    }
 }
 
 double FirstHit::coarse(double t) const { return std::max(0.9 * enclosure * t, 8 * rounding_); }
 double FirstHit::fine(double t) const { return std::max(finest * t, 2 * rounding_); }
+
+void FirstHit::take_rounding(const glm::dvec3& o, double t) {
+    rounding_ = 1e-16 * (std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) + t);
+}
+
+Piece FirstHit::piece_of(const Target& target, const Stretch& stretch) {
+    return {stretch.begin, stretch.end, along_.over(target.function, stretch.begin),
+            along_.over(target.function, stretch.end)};
+}
+
+bool FirstHit::is_clipped_away(const Target& target, const Piece& piece) {
+    const std::optional<std::size_t> clip = target.sheet->clip;
+    if (!clip) return false;
+    const Interval t{piece.begin, piece.end};
+    return is_positive(along_.over({Function::What::solid, *clip}, t));
+}
+
+bool FirstHit::is_drawn_throughout(const Target& target, const Piece& piece) {
+    const Interval t{piece.begin, piece.end};
+    for (const std::size_t guard : target.sheet->guards) {
+        const Interval value = along_.over({Function::What::expression, guard}, t);
+        if (!has_sign(value) || !is_defined(value)) return false;
+    }
+    const std::optional<std::size_t> clip = target.sheet->clip;
+    return !clip || along_.over({Function::What::solid, *clip}, t).hi <= 0;
+}
+
+/// By what is cheap: without derivatives.
+bool FirstHit::is_empty(const Target& target, const Piece& piece) {
+    const Interval t{piece.begin, piece.end};
+    const auto excludes = [&](const Interval& values) {
+        return is_positive(values) || values.is_empty() ||
+               (target.is_sheet() && is_negative(values));
+    };
+    return excludes(along_.over(target.function, t)) ||
+           (target.is_sheet() && is_clipped_away(target, piece)) ||
+           along_.on_each_side(target.function, t, excludes);
+}
 
 /// Shrinks a piece on which the function is monotone and changes its sign to one around the root
 /// that is small enough for a hit; false if rounding hides the signs beside it.
@@ -81,23 +130,6 @@ FirstHit::Fate FirstHit::judge_solid(const Target& target, Piece& piece, const R
     return isolate_root(target.function, piece) ? Fate::hit : Fate::unknown;
 }
 
-bool FirstHit::is_clipped_away(const Target& target, const Piece& piece) {
-    const std::optional<std::size_t> clip = target.sheet->clip;
-    if (!clip) return false;
-    const Interval t{piece.begin, piece.end};
-    return is_positive(along_.over({Function::What::solid, *clip}, t));
-}
-
-bool FirstHit::is_drawn_throughout(const Target& target, const Piece& piece) {
-    const Interval t{piece.begin, piece.end};
-    for (const std::size_t guard : target.sheet->guards) {
-        const Interval value = along_.over({Function::What::expression, guard}, t);
-        if (!has_sign(value) || !is_defined(value)) return false;
-    }
-    const std::optional<std::size_t> clip = target.sheet->clip;
-    return !clip || along_.over({Function::What::solid, *clip}, t).hi <= 0;
-}
-
 FirstHit::Fate FirstHit::judge_sheet(const Target& target, Piece& piece, const RayJet& jet) {
     if (has_sign(values_on(piece, jet))) return Fate::empty;
     const bool continuous = is_defined(jet.value) && !jet.value.jumps;
@@ -113,21 +145,13 @@ FirstHit::Fate FirstHit::judge_sheet(const Target& target, Piece& piece, const R
 
 /// May shrink the piece to the part that is not empty.
 FirstHit::Fate FirstHit::judge(const Target& target, Piece& piece) {
-    const bool sheet = target.of == Found::Of::sheet;
-    if (!sheet && piece.at_begin.hi <= 0) {
+    if (!target.is_sheet() && piece.at_begin.hi <= 0) {
         piece.end = piece.begin;
         return Fate::hit;
     }
-    const Interval t{piece.begin, piece.end};
-    const Interval values = along_.over(target.function, t);
-    if (is_positive(values) || (sheet && is_negative(values))) return Fate::empty;
-    if (values.is_empty() || (sheet && is_clipped_away(target, piece))) return Fate::empty;
-    const bool apart = along_.on_each_side(target.function, t, [&](const Interval& side) {
-        return is_positive(side) || (sheet && is_negative(side));
-    });
-    if (apart) return Fate::empty;
-    const RayJet jet = along_.jet_over(target.function, t);
-    return sheet ? judge_sheet(target, piece, jet) : judge_solid(target, piece, jet);
+    if (is_empty(target, piece)) return Fate::empty;
+    const RayJet jet = along_.jet_over(target.function, {piece.begin, piece.end});
+    return target.is_sheet() ? judge_sheet(target, piece, jet) : judge_solid(target, piece, jet);
 }
 
 /// In two, where the function's sign can be told if that is possible.
@@ -146,21 +170,17 @@ void FirstHit::split(const Function& function, const Piece& piece) {
 
 /// A hit on a piece around one that could not be settled, still small enough: beside a jump or a
 /// root the sign may be known again.
-std::optional<Stretch> FirstHit::hit_around(const Target& target, const Piece& piece,
-                                            const Stretch& stretch) {
+std::optional<Piece> FirstHit::hit_around(const Target& target, const Piece& piece,
+                                          const Stretch& stretch) {
     for (const double part : {0.01, 0.45}) {
         const double reach = part * coarse(piece.end);
-        Piece wide{std::max(piece.begin - reach, stretch.begin),
-                   std::min(piece.end + reach, stretch.end),
-                   {},
-                   {}};
-        wide.at_begin = along_.over(target.function, wide.begin);
-        wide.at_end = along_.over(target.function, wide.end);
+        Piece wide = piece_of(target, {std::max(piece.begin - reach, stretch.begin),
+                                       std::min(piece.end + reach, stretch.end)});
         if (wide.length() > coarse(wide.end)) continue;
         const RayJet jet = along_.jet_over(target.function, {wide.begin, wide.end});
-        const bool sheet = target.of == Found::Of::sheet;
-        const Fate fate = sheet ? judge_sheet(target, wide, jet) : judge_solid(target, wide, jet);
-        if (fate == Fate::hit) return Stretch{wide.begin, wide.end};
+        const Fate fate =
+            target.is_sheet() ? judge_sheet(target, wide, jet) : judge_solid(target, wide, jet);
+        if (fate == Fate::hit) return wide;
     }
     return std::nullopt;
 }
@@ -175,57 +195,116 @@ double FirstHit::end_of_unsettled(const Function& function, const Piece& piece, 
     return at;
 }
 
-Found FirstHit::search(const Target& target, const Stretch& stretch) {
-    const auto value = [&](double t) { return along_.over(target.function, t); };
-    open_.assign(1, {stretch.begin, stretch.end, value(stretch.begin), value(stretch.end)});
+Found FirstHit::found_on(const Target& target, const Piece& piece, const Stretch& stretch) {
+    Found found{.of = target.of, .number = target.number};
+    found.verdict = Verdict::hit;
+    found.near = piece.begin;
+    found.far = piece.end;
+    found.at_start = !target.is_sheet() && piece.begin == stretch.begin;
+    return found;
+}
+
+Found FirstHit::search(const Target& target, const Stretch& stretch,
+                       const std::vector<Stretch>& stretches) {
+    open_.clear();
+    for (auto it = stretches.rbegin(); it != stretches.rend(); ++it) {
+        const Stretch part{std::max(it->begin, stretch.begin), std::min(it->end, stretch.end)};
+        if (part.begin < part.end) open_.push_back({part.begin, part.end, {}, {}});
+    }
+    std::size_t fresh = open_.size();  // so many, the first ones, have no values at their ends yet
     for (int effort = 0; !open_.empty(); ++effort) {
         Piece piece = open_.back();
         open_.pop_back();
+        if (open_.size() < fresh) {
+            fresh = open_.size();
+            piece = piece_of(target, {piece.begin, piece.end});
+        }
         const Fate fate = judge(target, piece);
+        if (fate == Fate::hit) return found_on(target, piece, stretch);
         if (fate == Fate::empty) continue;
-        Found found{.of = target.of, .number = target.number};
-        found.near = piece.begin;
-        found.far = piece.end;
-        if (fate == Fate::hit) {
-            found.verdict = Verdict::hit;
-            found.at_start = target.of == Found::Of::solid && piece.begin == stretch.begin;
-            return found;
+        if (piece.length() > fine(piece.end) && effort < most_pieces) {
+            split(target.function, piece);
+            continue;
         }
-        if (piece.length() <= fine(piece.end) || effort > most_pieces) {
-            if (const auto around = hit_around(target, piece, stretch)) {
-                found.verdict = Verdict::hit;
-                found.near = around->begin;
-                found.far = around->end;
-                return found;
-            }
-            found.verdict = Verdict::undecided;
-            found.far = end_of_unsettled(target.function, piece, stretch.end);
-            return found;
+        if (const auto around = hit_around(target, piece, stretch)) {
+            return found_on(target, *around, stretch);
         }
-        split(target.function, piece);
+        Found found = found_on(target, piece, stretch);
+        found.verdict = Verdict::undecided;
+        found.far = end_of_unsettled(target.function, piece, stretch.end);
+        return found;
     }
     return {};
 }
 
-Found FirstHit::operator()(const Ray& ray, const Stretch& stretch) {
+Found FirstHit::operator()(const Ray& ray, const Stretch& stretch, const Places& places) {
     along_.take(ray);
-    const glm::dvec3& o = ray.origin;
-    rounding_ = 1e-16 * (std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) + stretch.begin);
+    take_rounding(ray.origin, stretch.begin);
     Found found;
-    const auto look = [&](const Target& target) {
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
         const Stretch rest{stretch.begin, std::min(stretch.end, found.far)};
-        if (rest.begin < rest.end) found = nearer(found, search(target, rest));
-    };
-    for (std::size_t i = 0; i < shape_.parts.size(); ++i) {
-        const std::size_t solid = shape_.parts[i].solid;
-        if (shape_.solids[solid].has_loops) continue;
-        look({Found::Of::solid, i, {Function::What::solid, solid}});
-    }
-    for (std::size_t i = 0; i < shape_.sheets.size(); ++i) {
-        const Sheet& sheet = shape_.sheets[i];
-        look({Found::Of::sheet, i, {Function::What::expression, sheet.source}, &sheet});
+        if (!(rest.begin < rest.end)) break;
+        found = nearer(found, search(targets_[i], rest, places[i]));
     }
     return found;
+}
+
+Places FirstHit::anywhere(const Stretch& stretch) const {
+    return Places(targets_.size(), std::vector<Stretch>{stretch});
+}
+
+/// True if all rays of the beam meet the target on the piece.
+bool FirstHit::all_meet(const Target& target, const Piece& piece) {
+    if (!target.is_sheet()) return piece.at_end.hi <= 0;
+    if (!signs_differ(piece.at_begin, piece.at_end)) return false;
+    const Interval values = along_.over(target.function, {piece.begin, piece.end});
+    return is_defined(values) && !values.jumps && is_drawn_throughout(target, piece);
+}
+
+/// Of one target, up to `end`, which becomes less where all rays meet the target before.
+std::vector<Stretch> FirstHit::narrowed(const Target& target, const std::vector<Stretch>& stretches,
+                                        double within, double& end) {
+    std::vector<Stretch> left;
+    const auto keep = [&](const Piece& piece) {
+        if (!left.empty() && left.back().end == piece.begin) {
+            left.back().end = piece.end;
+        } else {
+            left.push_back({piece.begin, piece.end});
+        }
+    };
+    const double spread = along_.spread();
+    for (const Stretch& stretch : stretches) {
+        if (stretch.begin >= end) return left;
+        open_.assign(1, piece_of(target, {stretch.begin, std::min(stretch.end, end)}));
+        const double shortest = 1e-3 * (stretch.end - stretch.begin);
+        while (!open_.empty()) {
+            const Piece piece = open_.back();
+            open_.pop_back();
+            if (is_empty(target, piece)) continue;
+            if (piece.length() > std::max(2 * spread * piece.end, shortest)) {
+                const RayJet jet = along_.jet_over(target.function, {piece.begin, piece.end});
+                const Interval values = values_on(piece, jet);
+                if (is_positive(values) || (target.is_sheet() && is_negative(values))) continue;
+                split(target.function, piece);
+                continue;
+            }
+            keep(piece);
+            if (piece.begin < within || !all_meet(target, piece)) continue;
+            end = piece.end;
+            return left;
+        }
+    }
+    return left;
+}
+
+Places FirstHit::narrowed(const Beam& beam, const Places& places, double within) {
+    along_.take(beam);
+    Places left;
+    double end = numeric::infinity;
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+        left.push_back(narrowed(targets_[i], places[i], within, end));
+    }
+    return left;
 }
 
 }  // namespace oracle

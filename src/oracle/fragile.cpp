@@ -31,11 +31,12 @@ bool may_be_fragile(const Reference& reference, int x, int y) {
     return false;
 }
 
-bool is_fragile(PixelTracer& trace, const Pixel& pixel, double x, double y, double pixel_width) {
+bool is_fragile(PixelTracer& trace, const Pixel& pixel, double x, double y, const Places& places,
+                double pixel_width) {
     constexpr std::array<std::pair<double, double>, 4> shifts{
         {{fragile_shift, 0}, {-fragile_shift, 0}, {0, fragile_shift}, {0, -fragile_shift}}};
     return std::ranges::any_of(shifts, [&](const auto& shift) {
-        const Pixel other = trace(x + shift.first, y + shift.second);
+        const Pixel other = trace(x + shift.first, y + shift.second, places);
         if (other.verdict != pixel.verdict || other.object != pixel.object) return true;
         if (pixel.verdict == Verdict::miss) return false;
         return std::abs(other.depth() - pixel.depth()) > 0.5 * pixel_width * pixel.depth();

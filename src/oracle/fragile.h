@@ -15,6 +15,7 @@ bool may_be_fragile(const Reference& reference, int x, int y);
 
 /// True if one of the four rays beside the pixel's own, which goes through the place (x, y), has
 /// another verdict or object, or a depth that differs by more than half a footprint.
-bool is_fragile(PixelTracer& trace, const Pixel& pixel, double x, double y, double pixel_width);
+bool is_fragile(PixelTracer& trace, const Pixel& pixel, double x, double y, const Places& places,
+                double pixel_width);
 
 }  // namespace oracle

@@ -10,11 +10,27 @@ PixelTracer::PixelTracer(const Shape& shape, const scene::Bounds& bounds, const 
       march_(shape),
       surface_(shape, bounds) {}
 
-Pixel PixelTracer::operator()(double x, double y) {
+Beam PixelTracer::beam(const Tile& tile) const {
+    const auto side = [](int begin, int size) {
+        return numeric::Interval(begin, static_cast<double>(begin) + size);
+    };
+    return pinhole_.through(side(tile.x, tile.width), side(tile.y, tile.height));
+}
+
+Places PixelTracer::places(const Tile& tile) {
+    return places(tile, first_hit_.anywhere(within(bounds_, beam(tile))));
+}
+
+Places PixelTracer::places(const Tile& tile, const Places& around) {
+    const Beam rays = beam(tile);
+    return first_hit_.narrowed(rays, around, latest_begin(bounds_, rays));
+}
+
+Pixel PixelTracer::operator()(double x, double y, const Places& places) {
     const Ray ray = pinhole_.through(x, y);
     Found found;
     if (const std::optional<Stretch> stretch = within(bounds_, ray)) {
-        found = first_hit_(ray, *stretch);
+        found = first_hit_(ray, *stretch, places);
         const Stretch rest{stretch->begin, std::min(stretch->end, found.far)};
         if (rest.begin < rest.end) {
             found = nearer(found, march_(ray, rest, pinhole_.pixel_width()));

@@ -57,6 +57,21 @@ Ray Pinhole::through(double x, double y) const {
     return {eye_, glm::normalize(axes_.w + right * axes_.u + up * axes_.v)};
 }
 
+Beam Pinhole::through(numeric::Interval x, numeric::Interval y) const {
+    using numeric::Interval;
+    const Interval right = slope_ * (2.0 * x / width_ - 1.0) * (width_ / height_);
+    const Interval up = slope_ * (1.0 - 2.0 * y / height_);
+    const Interval length = sqrt(1.0 + square(right) + square(up));
+    Beam beam;
+    beam.origin = eye_;
+    for (int i = 0; i < 3; ++i) {
+        const Interval part = (axes_.w[i] + right * axes_.u[i] + up * axes_.v[i]) / length;
+        // Far more than the rounding of a ray's direction, whose numbers are at most 1.
+        beam.direction[static_cast<std::size_t>(i)] = part + Interval{-1e-14, 1e-14};
+    }
+    return beam;
+}
+
 std::optional<Stretch> within(const scene::Bounds& bounds, const Ray& ray) {
     switch (bounds.shape) {
         case scene::Bounds::Shape::sphere:
@@ -67,6 +82,42 @@ std::optional<Stretch> within(const scene::Bounds& bounds, const Ray& ray) {
             break;
     }
     return Stretch{0, scene::far_distance};
+}
+
+Stretch within(const scene::Bounds& bounds, const Beam& beam) {
+    if (bounds.shape == scene::Bounds::Shape::none) return {0, scene::far_distance};
+    // All points of the bounds are as far from the eye as their ball is.
+    const double radius =
+        bounds.shape == scene::Bounds::Shape::sphere ? bounds.half.x : glm::length(bounds.half);
+    const double distance = glm::distance(beam.origin, bounds.centre);
+    return {std::max(0.0, (distance - radius) * (1 - 1e-12) - 1e-12 * radius),
+            (distance + radius) * (1 + 1e-12)};
+}
+
+double latest_begin(const scene::Bounds& bounds, const Beam& beam) {
+    using numeric::Interval;
+    if (bounds.shape == scene::Bounds::Shape::none) return 0;
+    const glm::dvec3 centre = bounds.centre - beam.origin;
+    const auto& d = beam.direction;
+    constexpr double slack = 1 + 1e-12;
+    if (bounds.shape == scene::Bounds::Shape::sphere) {
+        const Interval along = centre.x * d[0] + centre.y * d[1] + centre.z * d[2];
+        Interval aside(0.0);
+        for (int i = 0; i < 3; ++i) {
+            aside = aside + square(centre[i] - along * d[static_cast<std::size_t>(i)]);
+        }
+        const Interval reach = sqrt(square(Interval(bounds.half.x)) - aside);
+        const double begin = reach.is_empty() || reach.partial ? along.hi : (along - reach).hi;
+        return std::max(begin, 0.0) * slack;
+    }
+    double begin = 0;
+    for (int i = 0; i < 3; ++i) {
+        const Interval rate = d[static_cast<std::size_t>(i)];
+        if (rate.contains(0)) return std::numeric_limits<double>::infinity();
+        const Interval enter = (centre[i] - bounds.half[i] * sign(rate)) / rate;
+        begin = std::max(begin, enter.hi);
+    }
+    return begin * slack;
 }
 
 glm::dvec3 wall_normal(const scene::Bounds& bounds, glm::dvec3 point) {

@@ -78,7 +78,7 @@ private:
         return all;
     }
     Union visit_node(const field::Iteration& node, const Place& place) {
-        if (const auto formula = unrolled(graph_, node, number(node.limit))) {
+        if (const auto formula = unrolled(graph_, node, shape_.parameters, number(node.limit))) {
             return visit_node(*formula, place);
         }
         const auto tape = [&](std::span<const NodeId> roots) {

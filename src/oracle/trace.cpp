@@ -35,23 +35,24 @@ base::Status check(const Query& query) {
     return base::Done{};
 }
 
-/// Calls work(row, thread's own state) for all rows, on several threads; false if it was stopped.
+/// Calls work(number, thread's own state) for numbers below a count, on several threads; false if
+/// it was stopped.
 template <class MakeState, class Work>
-bool for_rows(int rows, int threads, const MakeState& make_state,
-              const std::function<bool(int)>& told, const Work& work) {
+bool for_all(int count, int threads, const MakeState& make_state,
+             const std::function<bool(int)>& told, const Work& work) {
     std::atomic<int> next{0}, finished{0};
     std::atomic<bool> stopped{false};
     const auto run = [&] {
         auto state = make_state();
         while (!stopped) {
-            const int row = next++;
-            if (row >= rows) return;
-            work(row, state);
+            const int number = next++;
+            if (number >= count) return;
+            work(number, state);
             if (!told(++finished)) stopped = true;
         }
     };
     std::vector<std::thread> others;
-    for (int i = 1; i < std::min(threads, rows); ++i) others.emplace_back(run);
+    for (int i = 1; i < std::min(threads, count); ++i) others.emplace_back(run);
     run();
     for (std::thread& other : others) other.join();
     return !stopped;
@@ -62,50 +63,134 @@ int thread_count(const Query& query) {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+/// Tiles are those of the full picture, so that a region is a crop of it bit for bit.
+constexpr int large = 16, small = 4;
+
+/// What both tiles have in common; without pixels if that is nothing.
+Tile common(const Tile& a, const Tile& b) {
+    Tile tile{std::max(a.x, b.x), std::max(a.y, b.y), 0, 0};
+    tile.width = std::max(0, std::min(a.x + a.width, b.x + b.width) - tile.x);
+    tile.height = std::max(0, std::min(a.y + a.height, b.y + b.height) - tile.y);
+    return tile;
+}
+
+/// Calls visit(tile) for the tiles of this size that the area meets.
+template <class Visit>
+void for_tiles(const Tile& area, int size, const Visit& visit) {
+    for (int y = area.y / size * size; y < area.y + area.height; y += size) {
+        for (int x = area.x / size * size; x < area.x + area.width; x += size) {
+            visit(Tile{x, y, size, size});
+        }
+    }
+}
+
+/// Calls visit(x, y, places) for the pixels of an area within a large tile.
+template <class Visit>
+void for_pixels(PixelTracer& trace, const Tile& tile, const Tile& area, const Visit& visit) {
+    const Places around = trace.places(tile);
+    for_tiles(common(tile, area), small, [&](const Tile& part) {
+        const Places places = trace.places(part, around);
+        const Tile pixels = common(part, area);
+        for (int y = pixels.y; y < pixels.y + pixels.height; ++y) {
+            for (int x = pixels.x; x < pixels.x + pixels.width; ++x) visit(x, y, places);
+        }
+    });
+}
+
+/// A picture on its way.
+class Tracing {
+public:
+    Tracing(const compile::Formula& formula, const scene::Document& document, const Query& query,
+            const Tile& area)
+        : bounds_(document.bounds),
+          pinhole_(scene::camera_of(document, static_cast<double>(query.width) / query.height),
+                   query.width, query.height),
+          shape_(make_shape(formula.field, compile::parameter_values(formula.field, document))),
+          query_(query),
+          area_(area) {
+        reference_.width = area.width;
+        reference_.height = area.height;
+        reference_.pixel_width = pinhole_.pixel_width();
+        reference_.heuristic = !shape_.loops.empty();
+        reference_.pixels.resize(static_cast<std::size_t>(area.width) *
+                                 static_cast<std::size_t>(area.height));
+        for_tiles(area, large, [&](const Tile& tile) { tiles_.push_back(tile); });
+    }
+
+    /// False if it was given up.
+    bool run() {
+        const auto trace_pixel = [&](PixelTracer& trace, int x, int y, const Places& places) {
+            pixel(x, y) = trace(x + 0.5, y + 0.5, places);
+        };
+        const auto mark_pixel = [&](PixelTracer& trace, int x, int y, const Places& places) {
+            Pixel& it = pixel(x, y);
+            if (it.verdict == Verdict::undecided) return;
+            if (!may_be_fragile(reference_, x - area_.x, y - area_.y)) return;
+            it.fragile = is_fragile(trace, it, x + 0.5, y + 0.5, places, reference_.pixel_width);
+        };
+        return pass(0, 0.9, trace_pixel) && pass(0.9, 1, mark_pixel);
+    }
+
+    /// What of the area is asked for.
+    Reference cropped(const Tile& to) const {
+        Reference result = reference_;
+        result.width = to.width;
+        result.height = to.height;
+        result.pixels.clear();
+        for (int y = to.y; y < to.y + to.height; ++y) {
+            for (int x = to.x; x < to.x + to.width; ++x) {
+                result.pixels.push_back(reference_.at(x - area_.x, y - area_.y));
+            }
+        }
+        return result;
+    }
+
+private:
+    template <class Each>
+    bool pass(double from, double to, const Each& each) {
+        const int count = static_cast<int>(tiles_.size());
+        return for_all(
+            count, thread_count(query_), [&] { return PixelTracer(shape_, bounds_, pinhole_); },
+            [&](int finished) {
+                return !query_.progress || query_.progress(from + (to - from) * finished / count);
+            },
+            [&](int number, PixelTracer& trace) {
+                for_pixels(trace, tiles_[static_cast<std::size_t>(number)], area_,
+                           [&](int x, int y, const Places& places) { each(trace, x, y, places); });
+            });
+    }
+    Pixel& pixel(int x, int y) {
+        return reference_
+            .pixels[static_cast<std::size_t>(y - area_.y) * static_cast<std::size_t>(area_.width) +
+                    static_cast<std::size_t>(x - area_.x)];
+    }
+
+    const scene::Bounds bounds_;
+    const Pinhole pinhole_;
+    const Shape shape_;
+    const Query& query_;
+    const Tile area_;
+    std::vector<Tile> tiles_;
+    Reference reference_;
+};
+
 }  // namespace
 
 base::Result<Reference> trace(const compile::Formula& formula, const scene::Document& document,
                               const Query& query) {
     if (const base::Status status = check(query); !status) return status.problems();
-    const auto [left, top, width, height] =
-        query.region.value_or(std::array<int, 4>{0, 0, query.width, query.height});
-    const scene::Camera camera =
-        scene::camera_of(document, static_cast<double>(query.width) / query.height);
-    const Pinhole pinhole(camera, query.width, query.height);
-    const Shape shape =
-        make_shape(formula.field, compile::parameter_values(formula.field, document));
-
-    Reference reference;
-    reference.width = width;
-    reference.height = height;
-    reference.pixel_width = pinhole.pixel_width();
-    reference.heuristic = !shape.loops.empty();
-    reference.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    const auto place = [&](int x, int y) -> Pixel& {
-        return reference.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                static_cast<std::size_t>(x)];
-    };
-    const auto tracer = [&] { return PixelTracer(shape, document.bounds, pinhole); };
-    const auto told = [&](double from, double to) {
-        return [&query, from, to, rows = height](int finished) {
-            return !query.progress || query.progress(from + (to - from) * finished / rows);
-        };
-    };
-    const int threads = thread_count(query);
-    bool done = for_rows(height, threads, tracer, told(0, 0.9), [&](int y, PixelTracer& trace) {
-        for (int x = 0; x < width; ++x) place(x, y) = trace(left + x + 0.5, top + y + 0.5);
-    });
-    done = done && for_rows(height, threads, tracer, told(0.9, 1), [&](int y, PixelTracer& trace) {
-               for (int x = 0; x < width; ++x) {
-                   Pixel& pixel = place(x, y);
-                   if (pixel.verdict == Verdict::undecided || !may_be_fragile(reference, x, y))
-                       continue;
-                   pixel.fragile = is_fragile(trace, pixel, left + x + 0.5, top + y + 0.5,
-                                              pinhole.pixel_width());
-               }
-           });
-    if (!done) return base::error("the reference was given up; ask for it again");
-    return reference;
+    const Tile whole{0, 0, query.width, query.height};
+    Tile wanted = whole;
+    if (query.region) {
+        const auto [x, y, width, height] = *query.region;
+        wanted = {x, y, width, height};
+    }
+    // Whether a pixel is fragile is asked of its neighbours as well.
+    const Tile area =
+        common(whole, {wanted.x - 1, wanted.y - 1, wanted.width + 2, wanted.height + 2});
+    Tracing tracing(formula, document, query, area);
+    if (!tracing.run()) return base::error("the reference was given up; ask for it again");
+    return tracing.cropped(wanted);
 }
 
 }  // namespace oracle

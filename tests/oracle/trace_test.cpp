@@ -70,7 +70,7 @@ TEST(Trace, refuses_sizes_and_regions_that_make_no_sense) {
 
 TEST(Trace, tells_its_progress_and_can_be_given_up) {
     std::atomic<int> calls{0};
-    Query query{.width = 16, .height = 12, .region = {}, .threads = 2, .progress = {}};
+    Query query{.width = 64, .height = 48, .region = {}, .threads = 2, .progress = {}};
     query.progress = [&](double fraction) {
         EXPECT_GT(fraction, 0);
         EXPECT_LE(fraction, 1);
