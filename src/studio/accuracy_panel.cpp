@@ -96,7 +96,8 @@ void show_mark(const ReportLine& line) {
         const float margin = 0.15f * side;
         ImGui::GetWindowDrawList()->AddRectFilled(
             ImVec2(corner.x + margin, corner.y + margin),
-            ImVec2(corner.x + side - margin, corner.y + side - margin), overlay_colour(*line.mark));
+            ImVec2(corner.x + side - margin, corner.y + side - margin),
+            overlay_colour(*line.mark, 255));
     }
     ImGui::Dummy(ImVec2(side, side));
     ImGui::SameLine();

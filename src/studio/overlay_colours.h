@@ -8,10 +8,10 @@
 
 namespace studio {
 
-/// That of oracle::mark_of, nearly opaque.
-inline ImU32 overlay_colour(oracle::Judgement judgement) {
+/// That of oracle::mark_of; transparent where there is none.
+inline ImU32 overlay_colour(oracle::Judgement judgement, int alpha) {
     const auto mark = oracle::mark_of(judgement);
-    return mark ? IM_COL32((*mark)[0], (*mark)[1], (*mark)[2], 230) : 0;
+    return mark ? IM_COL32((*mark)[0], (*mark)[1], (*mark)[2], alpha) : 0;
 }
 
 }  // namespace studio

@@ -14,6 +14,7 @@ namespace studio {
 namespace {
 
 constexpr float least_mark = 3;
+constexpr int mark_alpha = 230;
 constexpr std::uint64_t wheel_gesture = 3;  // of the same pause-limited kind as typing
 
 ImTextureID texture(GLuint name) {
@@ -55,7 +56,7 @@ void draw_overlay(const Workspace& workspace, ImVec2 corner, ImVec2 size) {
         list.AddRectFilled(ImVec2(x - more_x, y - more_y),
                            ImVec2(x + static_cast<float>(area.width) * across + more_x,
                                   y + static_cast<float>(area.height) * down + more_y),
-                           overlay_colour(area.judgement));
+                           overlay_colour(area.judgement, mark_alpha));
     }
 }
 

@@ -9,6 +9,7 @@ Everything is waited for by looking again and again, never for a fixed time; a m
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,12 @@ EDITOR = (40, 30, 380, 150)
 SLIDERS = (140, 310, 380, 345)
 SLIDER_GRAB = (0x3F, 0x97, 0xA5)
 SWITCH = (150, 359)  # the box to tick in the second line of the sliders
+PROGRESS = (0x4F, 0xB6, 0xC4)
+POINT = (0xB6, 0xBE, 0xCA)  # of the plot
+STATE = (945, 260, 1190, 284)  # of the accuracy panel
+NUMBERS = (945, 330, 970, 430)  # of the accuracy panel, with its marks
+PLOT = (1010, 606, 1260, 742)
+COPY, MEASURE = (1140, 517), (1024, 565)  # buttons
 
 PARAMETERS = 'param a = 0.3 in [0, 1] "depth"\nparam big = off'
 EQUATION = 'x^2 + y^2 + 4*a*z^2 = 1.5 + big/2'
@@ -270,6 +277,55 @@ def check_screenshot(studio):
     expect(colours > 50, f'the screenshot has only {colours} colours')
 
 
+def pasted_report(studio):
+    """What the button Copy of the accuracy panel puts into the clipboard."""
+    studio.run('mousemove', *map(str, COPY), 'click', '1')
+    time.sleep(1.5)  # ends the burst of typing before, so that one undo takes the pasting back
+    studio.keys('ctrl+l')
+    studio.keys('ctrl+End', 'Return', 'ctrl+v')
+    autosave = studio.home / 'state' / 'zeroset' / 'autosave.json'
+    wait_for('the pasted report', lambda: autosave.exists() and 'fragile: ' in autosave.read_text())
+    formula = json.loads(autosave.read_text())['formula']
+    studio.keys('ctrl+z')
+    wait_for('one undo to take the pasting back', lambda: '*' not in studio.title())
+    return formula if isinstance(formula, str) else '\n'.join(formula)
+
+
+def has_verdict(studio):
+    """The panel shows the colours of the overlay beside its counts."""
+    marks = {(230, 30, 30), (255, 200, 0)}
+    return len(marks & {tuple(c) for c in studio.look().colours(NUMBERS)}) == len(marks)
+
+
+def check_accuracy(studio):
+    def looks_idle():
+        screen = studio.look()
+        certified = any(g > 140 and g > r + 40 and g > b + 40 for r, g, b in screen.colours(STATE))
+        return certified and not any(screen.places_of(PROGRESS, STATE))
+
+    studio.keys('F5')
+    wait_for('a certified reference', looks_idle)
+    wait_for('the present setting in the plot', lambda: has_verdict(studio))
+    report = pasted_report(studio)
+    counts = {word: int(number) for word, number in re.findall(r'^(\w+): (\d+)$', report, re.M)}
+    size = re.search(r'(\d+) x (\d+), reference certified', report)
+    expect(size is not None, f'no certified reference in {report!r}')
+    pixels = int(size[1]) * int(size[2])
+    excused = counts['undecided'] + counts['fragile']
+    expect(pixels > 10000 and counts['compared'] + excused == pixels, f'{counts} of {pixels} pixels')
+    expect(counts['missed'] + counts['phantom'] + counts['moved'] < 0.02 * pixels, f'wrong: {counts}')
+    # The text has been another one meanwhile: the reference must have come back with it.
+    wait_for('the counts after undo', lambda: has_verdict(studio))
+    studio.run('mousemove', *map(str, MEASURE), 'click', '1', 'mousemove', '700', '400')
+    wait_for('points in the plot', lambda: any(studio.look().places_of(POINT, PLOT)))
+    wait_for('measuring to end', looks_idle)
+    report = pasted_report(studio)
+    for setting in ('auto, Lipschitz scale 0.25', 'auto, Lipschitz scale 2',
+                    'sphere, Lipschitz scale 1'):
+        expect(re.search(rf'^{setting}, .* wrong, \d+\.\d+ ms$', report, re.M),
+               f'no "{setting}" in {report!r}')
+
+
 def check_end(studio):
     studio.keys('ctrl+q')
     wait_for('the studio to end', lambda: studio.process.poll() is not None)
@@ -319,6 +375,7 @@ def check_all(open_studio, home):
         check_camera(studio, switched)
         check_saving(studio)
         check_screenshot(studio)
+        check_accuracy(studio)
         check_end(studio)
     check_recovery(open_studio, home)
 
