@@ -46,6 +46,9 @@ struct Accuracy {
     std::vector<MeasuredSetting> measured;
     std::optional<std::size_t> present;  ///< which of them the present setting is
 
+    /// The last one that was known, to be shown until the next one is; none after a new reference.
+    std::shared_ptr<const Judged> last_judged;
+
     /// The present setting's judgement, if it is known for the view in the window.
     const Judged* judged() const;
 };

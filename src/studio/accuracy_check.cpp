@@ -65,6 +65,7 @@ void AccuracyCheck::look(const PresentView& view, double now) {
     obey();
     if (starts_by_itself() && now - changed_ >= rest_seconds) start_tracing();
     judge_present();
+    if (accuracy_.judged()) accuracy_.last_judged = accuracy_.measured[*accuracy_.present].judged;
     update_phase();
 }
 
@@ -82,6 +83,7 @@ void AccuracyCheck::take_reference() {
     accuracy_.reference = std::move(traced->reference);
     accuracy_.reference_seconds = traced->seconds;
     accuracy_.measured.clear();
+    accuracy_.last_judged.reset();
     declined_.reset();
 }
 

@@ -124,20 +124,25 @@ void show_lines(const oracle::Metrics& metrics) {
 void show_judgement(Workspace& workspace) {
     Accuracy& accuracy = workspace.accuracy;
     if (!accuracy.reference) return;
-    const Judged* judged = accuracy.judged();
     if (!accuracy.of_this_view) {
         ImGui::TextColored(doubtful, "of an earlier view");
         tooltip_of_last("The view has changed since it was checked. Undo brings it back.");
         return;
     }
-    if (!judged) {
+    const Judged* judged = accuracy.judged();
+    if (judged) {
+        const std::string text = verdict(judged->metrics);
+        ImGui::TextColored(judged->metrics.wrong() == 0 ? good : bad, "%s", text.c_str());
+    } else {
         ImGui::TextDisabled(accuracy.phase == Phase::judging ? "judging the present setting..."
                                                              : "the present setting is not judged");
-        return;
     }
-    const std::string text = verdict(judged->metrics);
-    ImGui::TextColored(judged->metrics.wrong() == 0 ? good : bad, "%s", text.c_str());
+    // The numbers of the setting before stay, pale: nothing jumps while a slider is moved.
+    if (!judged) judged = accuracy.last_judged.get();
+    if (!judged) return;
+    ImGui::BeginDisabled(!accuracy.judged());
     show_lines(judged->metrics);
+    ImGui::EndDisabled();
     check("Show on the picture", accuracy.overlay,
           "Lays the wrong and the undecided pixels over the picture, in the colours above.");
     ImGui::SameLine();

@@ -131,7 +131,7 @@ std::string words_about(const MeasuredSetting& setting, bool present) {
     const auto [least, most] = std::ranges::minmax(setting.seconds);
     return fmt::format(
         "{}{}\nsteps at most {}, epsilon {:.4g}\n{} wrong: {} missed, {} phantom, {} moved\n"
-        "{} unresolved\n{:.2f} ms a frame: the median of {}, from {:.2f} to {:.2f}{}",
+        "{} unresolved\n{:.2f} ms a frame (median of {}: {:.2f} to {:.2f}){}",
         describe(setting.tracing), present ? " (the present setting)" : "", setting.tracing.steps,
         setting.tracing.epsilon, metrics.wrong(), metrics.missed, metrics.phantom, metrics.moved,
         metrics.gave_up, 1000 * *setting.frame_seconds(), setting.seconds.size(), 1000 * least,

@@ -17,7 +17,7 @@ namespace studio {
 
 /// How wrong a trial is, and where.
 struct Judged {
-    oracle::Metrics metrics;
+    oracle::Metrics metrics;  ///< without the judgement of every pixel
     std::vector<MarkedArea> areas;
 };
 

@@ -52,6 +52,7 @@ base::Result<std::shared_ptr<const Judged>> judge(const oracle::Reference& refer
     auto metrics = oracle::compare(reference, shot_of(geometry));
     if (!metrics) return metrics.problems();
     auto areas = marked_areas(reference, *metrics);
+    metrics->judgements = {};
     return std::make_shared<const Judged>(Judged{std::move(*metrics), std::move(areas)});
 }
 

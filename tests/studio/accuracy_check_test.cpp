@@ -121,8 +121,10 @@ TEST(AccuracyCheck, keeps_the_reference_while_only_the_tracing_changes) {
     studio.look();
     EXPECT_EQ(studio.accuracy.phase, Phase::judging);
     EXPECT_FALSE(studio.accuracy.judged());
+    EXPECT_EQ(studio.accuracy.last_judged->metrics.missed, 0u);
     studio.settle();
     EXPECT_EQ(studio.accuracy.judged()->metrics.missed, 8u);
+    EXPECT_EQ(studio.accuracy.last_judged->metrics.missed, 8u);
     EXPECT_EQ(studio.fake.begun, 1);
     // What has been judged already is known.
     const int trials = studio.trials;
