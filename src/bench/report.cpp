@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "bench/statistics.h"
+
 namespace bench {
 
 std::array<double, 4> shares(const Passes& passes) {
@@ -18,6 +20,11 @@ const Entry* find(const PresetReport& preset, const std::string& tracer, const M
     const auto entry = std::ranges::find_if(
         preset.entries, [&](const Entry& e) { return e.tracer == tracer && e.move == move; });
     return entry == preset.entries.end() ? nullptr : &*entry;
+}
+
+std::optional<double> time_ratio(const Entry& entry, const Entry* other) {
+    if (!other || other->seconds.size() != entry.seconds.size()) return std::nullopt;
+    return paired_ratio(entry.seconds, other->seconds).median;
 }
 
 const Entry* plain_of(const PresetReport& preset) {

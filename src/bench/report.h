@@ -89,6 +89,10 @@ struct Report {
 /// The entry of a tracer with this setting; null if there is none.
 const Entry* find(const PresetReport& preset, const std::string& tracer, const Move& move = {});
 
+/// How many times as long the one took as the other: the median over the rounds. None if there is
+/// no other, or if it was not drawn in the same rounds.
+std::optional<double> time_ratio(const Entry& entry, const Entry* other);
+
 /// The shader by hand that stands for this preset: the fractal's own, else sphere tracing of the
 /// formula; null if there is none.
 const Entry* plain_of(const PresetReport& preset);

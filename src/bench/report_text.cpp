@@ -9,8 +9,8 @@ namespace bench {
 namespace {
 
 std::string ratio(const Entry& entry, const Entry* other) {
-    if (!other || other->seconds.size() != entry.seconds.size()) return "-";
-    return fmt::format("{:.2f}", paired_ratio(entry.seconds, other->seconds).median);
+    const auto value = time_ratio(entry, other);
+    return value ? fmt::format("{:.2f}", *value) : "-";
 }
 
 std::string errors(const Entry& entry) {

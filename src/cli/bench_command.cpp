@@ -3,20 +3,30 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "base/file.h"
+#include "bench/baseline.h"
 #include "bench/machine.h"
 #include "bench/measure.h"
+#include "bench/pages.h"
+#include "bench/report_csv.h"
+#include "bench/report_html.h"
+#include "bench/report_json.h"
 #include "bench/report_text.h"
 #include "cli/input.h"
+#include "cli/output_file.h"
 #include "cli/run.h"
 #include "oracle/trace.h"
 #include "render/context.h"
 
 namespace cli {
 namespace {
+
+constexpr std::size_t largest_report = std::size_t{256} << 20;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -49,12 +59,19 @@ base::Result<bench::Measured> measure_one(render::Context& context, const BenchO
     return measured;
 }
 
+/// A run, and the pictures of each preset.
+struct Run {
+    bench::Report report;
+    std::vector<std::vector<bench::MarkedPicture>> pictures;
+};
+
 /// Measures one preset after the other and prints each at once.
-base::Result<bench::Report> measure_all(const BenchOptions& options,
-                                        const std::vector<bench::NamedFile>& files) {
+base::Result<Run> measure_all(const BenchOptions& options,
+                              const std::vector<bench::NamedFile>& files) {
     auto context = options.backend == "egl" ? render::open_egl() : render::open_osmesa();
     if (!context) return context.problems();
-    bench::Report report;
+    Run run;
+    bench::Report& report = run.report;
     report.machine = bench::describe_machine(**context, options.backend);
     report.width = options.run.width;
     report.height = options.run.height;
@@ -71,24 +88,82 @@ base::Result<bench::Report> measure_all(const BenchOptions& options,
         fmt::print("{}", bench::preset_text(measured->report));
         std::fflush(stdout);
         report.presets.push_back(std::move(measured->report));
+        run.pictures.push_back(std::move(measured->pictures));
     }
-    return report;
+    return run;
+}
+
+base::Status write_docs(const std::string& folder, const bench::Report& report) {
+    namespace fs = std::filesystem;
+    std::vector<bench::TortureScene> torture;
+    const fs::path record = fs::path(folder) / ".." / "tests" / "torture" / "known_failures.json";
+    if (fs::exists(record)) {
+        const auto text = base::read_text(record, largest_report);
+        if (!text) return text.problems();
+        auto read = bench::read_torture(*text, record.string());
+        if (!read) return read.problems();
+        torture = std::move(*read);
+    }
+    const auto written = base::write_atomically(fs::path(folder) / "performance.md",
+                                                bench::performance_page(report));
+    if (!written) return written;
+    return base::write_atomically(fs::path(folder) / "accuracy.md",
+                                  bench::accuracy_page(report, torture));
+}
+
+base::Status write(const BenchOptions& options, const Run& run) {
+    const auto write_text = [](const std::string& path, const std::string& text) -> base::Status {
+        if (path.empty()) return base::Done{};
+        return base::write_atomically(path, text);
+    };
+    if (auto done = write_text(options.csv, bench::report_csv(run.report)); !done) return done;
+    if (auto done = write_text(options.json, bench::report_json(run.report)); !done) return done;
+    if (auto done = write_text(options.html, bench::report_html(run.report, run.pictures)); !done) {
+        return done;
+    }
+    return options.docs.empty() ? base::Done{} : write_docs(options.docs, run.report);
+}
+
+base::Result<bench::Report> read_baseline(const std::string& path) {
+    const auto text = base::read_text(path, largest_report);
+    if (!text) return text.problems();
+    return bench::read_report(*text, path);
+}
+
+int fail(const base::Diagnostics& problems) {
+    report(problems);
+    return failed;
+}
+
+/// What can be refused before the long run.
+base::Status check_files(const BenchOptions& options) {
+    for (const std::string& path : {options.csv, options.json, options.html}) {
+        if (path.empty()) continue;
+        if (auto writable = check_writable(path); !writable) return writable;
+    }
+    return base::Done{};
 }
 
 }  // namespace
 
 int bench_command(const BenchOptions& options) {
     const auto files = bench::find_subjects(options.presets);
-    if (!files) {
-        report(files.problems());
-        return failed;
+    if (!files) return fail(files.problems());
+    if (auto checked = check_files(options); !checked) return fail(checked.problems());
+    std::optional<bench::Report> baseline;
+    if (!options.baseline.empty()) {
+        auto read = read_baseline(options.baseline);
+        if (!read) return fail(read.problems());
+        baseline = std::move(*read);
     }
-    const auto measured = measure_all(options, *files);
-    if (!measured) {
-        report(measured.problems());
-        return failed;
-    }
-    return success;
+    const auto run = measure_all(options, *files);
+    if (!run) return fail(run.problems());
+    if (auto written = write(options, *run); !written) return fail(written.problems());
+    if (!baseline) return success;
+    const auto changes = bench::changes(*baseline, run->report);
+    if (!changes) return fail(changes.problems());
+    fmt::print("\nSince {}:\n{}", options.baseline, bench::changes_text(*changes));
+    return options.fail_on_regression && bench::has_regression(*changes) ? failed : success;
 }
 
 }  // namespace cli

@@ -74,12 +74,35 @@ void add_run_options(CLI::App& command, bench::Options& run) {
         ->type_name("N");
 }
 
+void add_output_options(CLI::App& command, BenchOptions& options) {
+    command.add_option("--csv", options.csv, "Everything as a table for other programs")
+        ->type_name("FILE.csv");
+    command.add_option("--json", options.json, "Everything, to be a baseline later")
+        ->type_name("FILE.json");
+    command.add_option("--html", options.html, "A page with plots, tables and marked pictures")
+        ->type_name("FILE.html");
+    auto* baseline =
+        command.add_option("--baseline", options.baseline, "Shows what changed since that run")
+            ->type_name("OLD.json");
+    command
+        .add_flag("--fail-on-regression", options.fail_on_regression,
+                  "Exit status 1 if something is slower or more wrong than the baseline")
+        ->needs(baseline);
+    command
+        .add_option("--docs", options.docs,
+                    "Writes performance.md and accuracy.md there; that has the record of the "
+                    "torture suite from ../tests/torture/known_failures.json, if it is there")
+        ->check(CLI::ExistingDirectory)
+        ->type_name("FOLDER");
+}
+
 }  // namespace
 
 void add_bench_options(CLI::App& command, BenchOptions& options) {
     command.add_option("PRESETS", options.presets,
                        "Presets, or folders of them, by path or shipped name (all shipped ones)");
     add_run_options(command, options.run);
+    add_output_options(command, options);
     command.add_flag("--no-reference", options.no_reference,
                      "Without reference pictures, which take longest: errors are left open");
     command.add_option("--backend", options.backend, "The headless OpenGL in use (osmesa)")

@@ -19,6 +19,10 @@ struct BenchOptions {
     bench::Options run;
     std::string backend = "osmesa";
     bool no_reference = false;
+    std::string csv, json, html;
+    std::string baseline;
+    bool fail_on_regression = false;
+    std::string docs;
     std::string command;  ///< as it was typed
 };
 

@@ -34,8 +34,8 @@ base::Diagnostic problem(std::string_view verb, const std::filesystem::path& pat
 
 }  // namespace
 
-base::Status write_png(const std::filesystem::path& path, const Picture& picture) {
-    if (picture.values.empty()) return problem("write", path, "the picture has no pixels");
+base::Result<std::string> encode_png(const Picture& picture) {
+    if (picture.values.empty()) return base::error("the picture has no pixels");
     Control control;
     control.image.width = static_cast<png_uint_32>(picture.width);
     control.image.height = static_cast<png_uint_32>(picture.height);
@@ -44,10 +44,16 @@ base::Status write_png(const std::filesystem::path& path, const Picture& picture
     std::string bytes(size, '\0');
     if (!png_image_write_to_memory(&control.image, bytes.data(), &size, 0, picture.values.data(), 0,
                                    nullptr)) {
-        return problem("write", path, control.image.message);
+        return base::error(control.image.message);
     }
     bytes.resize(size);
-    return base::write_atomically(path, bytes);
+    return bytes;
+}
+
+base::Status write_png(const std::filesystem::path& path, const Picture& picture) {
+    const base::Result<std::string> bytes = encode_png(picture);
+    if (!bytes) return problem("write", path, bytes.problems()[0].message);
+    return base::write_atomically(path, *bytes);
 }
 
 base::Result<Picture> read_png(const std::filesystem::path& path) {

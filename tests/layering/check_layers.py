@@ -18,7 +18,7 @@ OWNERS = {
     "GLFW/": {"studio"},
     "imgui": {"studio"},
     "backends/imgui": {"studio"},
-    "nlohmann/": {"scene", "cli"},
+    "nlohmann/": {"scene", "cli", "bench"},
     "boost/spirit": {"formula/grammar.cpp"},
 }
 

@@ -79,7 +79,7 @@ class CheckLayers(unittest.TestCase):
             ("GLFW/glfw3.h", "studio"),
             ("imgui.h", "studio"),
             ("backends/imgui_impl_glfw.h", "studio"),
-            ("nlohmann/json.hpp", "cli and scene"),
+            ("nlohmann/json.hpp", "bench and cli and scene"),
             ("boost/spirit/home/x3.hpp", "formula/grammar.cpp"),
         ):
             self.assertEqual(

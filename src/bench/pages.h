@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The pages of docs/ that are made of a run.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "bench/report.h"
+
+namespace bench {
+
+/// What tracers got wrong in one scene of the torture suite.
+struct TortureScene {
+    std::string name;
+    std::size_t compared = 0, undecided = 0;
+    struct Counts {
+        std::size_t missed = 0, phantom = 0, moved = 0, unresolved = 0;
+    };
+    std::map<std::string, Counts> tracers;
+};
+
+/// Reads tests/torture/known_failures.json. Error: it is no such file.
+base::Result<std::vector<TortureScene>> read_torture(std::string_view text,
+                                                     const std::string& name);
+
+/// docs/performance.md: times, ratios to the shaders by hand and to the limit, where a frame goes.
+std::string performance_page(const Report& report);
+
+/// docs/accuracy.md: wrong pixels, errors of depth, what the reference could not decide, what the
+/// settings buy, and the torture scenes, if any are given.
+std::string accuracy_page(const Report& report, const std::vector<TortureScene>& torture);
+
+}  // namespace bench
