@@ -129,6 +129,7 @@ base::Result<Measurement> Measurement::create(render::Context& context, const Su
                      std::move(*geometry), std::move(*judged));
     made.report.preset = subject.name;
     made.report.smooth = subject.smooth;
+    made.report.settings = own_values(subject.document.settings);
     if (reference) made.report.proven = !reference->heuristic;
     return made;
 }

@@ -93,10 +93,8 @@ std::string grid(const Axes& axes) {
 }
 
 std::string polyline(const Axes& axes, const Curve& curve, std::string_view colour) {
-    std::vector<Trade> sorted = curve.trades;
-    std::ranges::sort(sorted, {}, &Trade::seconds);
     std::string points;
-    for (const Trade& t : sorted) {
+    for (const Trade& t : curve.trades) {
         points += fmt::format("{:.1f},{:.1f} ", axes.x.place(t.seconds), axes.y.place(t.error));
     }
     return fmt::format("<polyline points='{}' fill='none' stroke='{}' stroke-width='1.3'{}/>\n",

@@ -19,7 +19,7 @@ struct Curve {
 
 /// One SVG element, without a document around it: both axes logarithmic, errors in parts of all
 /// compared pixels. An error below `least_error` lies on the lowest line, which is marked 0. Each
-/// curve is joined in the order of its seconds; trades on the Pareto front of all have a ring.
+/// curve is joined in its own order; trades on the Pareto front of all have a ring.
 std::string svg_plot(const std::vector<Curve>& curves, double least_error);
 
 /// Text with what HTML and SVG would take for markup replaced.

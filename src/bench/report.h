@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -71,7 +71,8 @@ struct PresetReport {
     bool smooth = false;           ///< proven: smooth, and defined all over the bounds
     bool proven = true;            ///< the reference proves what it does not call undecided
     double reference_seconds = 0;  ///< what the reference took; 0 without
-    std::vector<double> yardstick_seconds;  ///< by round: what a fixed program took beside them
+    std::vector<double> yardstick_seconds;   ///< by round: what a fixed program took beside them
+    std::map<std::string, double> settings;  ///< the preset's own, of those that can be moved
     std::vector<Entry> entries;
 
     friend bool operator==(const PresetReport&, const PresetReport&) = default;

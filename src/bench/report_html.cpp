@@ -96,27 +96,33 @@ void add(Curve& curve, const Entry& entry) {
     curve.labels.push_back(text(entry.move));
 }
 
-/// For each tracer and each setting that moves a curve through the preset's own setting.
+/// The entries of a tracer that move one setting, and its own, in the order of the values.
+Curve curve_of(const PresetReport& preset, const Entry& own, const std::string& setting) {
+    std::vector<std::pair<double, const Entry*>> list{{preset.settings.at(setting), &own}};
+    for (const Entry& e : preset.entries) {
+        if (e.tracer == own.tracer && e.move.name == setting && e.errors) {
+            list.emplace_back(e.move.value, &e);
+        }
+    }
+    std::ranges::stable_sort(list, {}, &std::pair<double, const Entry*>::first);
+    Curve curve{own.tracer, setting, {}, {}};
+    for (const auto& [value, entry] : list) add(curve, *entry);
+    return curve;
+}
+
+/// For each tracer and each setting that is moved a curve through the preset's own.
 std::vector<Curve> curves(const PresetReport& preset) {
     std::vector<Curve> list;
     for (const Entry& own : preset.entries) {
         if (!own.move.name.empty() || !own.errors) continue;
-        std::vector<Curve> of_tracer;
-        for (const Entry& e : preset.entries) {
-            if (e.tracer != own.tracer || e.move.name.empty() || !e.errors) continue;
-            auto curve = std::ranges::find(of_tracer, e.move.name, &Curve::moving);
-            if (curve == of_tracer.end()) {
-                of_tracer.push_back({own.tracer, e.move.name, {}, {}});
-                curve = of_tracer.end() - 1;
-                add(*curve, own);
-            }
-            add(*curve, e);
+        const std::size_t before = list.size();
+        for (const auto& [setting, value] : preset.settings) {
+            Curve curve = curve_of(preset, own, setting);
+            if (curve.trades.size() > 1) list.push_back(std::move(curve));
         }
-        if (of_tracer.empty()) {
-            of_tracer.push_back({own.tracer, "", {}, {}});
-            add(of_tracer.back(), own);
-        }
-        list.insert(list.end(), of_tracer.begin(), of_tracer.end());
+        if (list.size() > before) continue;
+        list.push_back({own.tracer, "", {}, {}});
+        add(list.back(), own);
     }
     return list;
 }

@@ -104,6 +104,7 @@ Json json(const PresetReport& p) {
            {"proven", p.proven},
            {"reference_seconds", p.reference_seconds},
            {"yardstick_seconds", p.yardstick_seconds},
+           {"settings", p.settings},
            {"entries", Json::array()}};
     for (const Entry& e : p.entries) j["entries"].push_back(json(e));
     return j;
@@ -116,6 +117,7 @@ PresetReport preset(const Json& j) {
     j.at("proven").get_to(p.proven);
     j.at("reference_seconds").get_to(p.reference_seconds);
     j.at("yardstick_seconds").get_to(p.yardstick_seconds);
+    j.at("settings").get_to(p.settings);
     for (const Json& e : j.at("entries")) p.entries.push_back(entry(e));
     return p;
 }

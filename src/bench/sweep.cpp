@@ -65,6 +65,12 @@ base::Result<Sweep> read_sweep(std::string_view text) {
     return sweep;
 }
 
+std::map<std::string, double> own_values(const scene::Settings& settings) {
+    std::map<std::string, double> values;
+    for (const Knob& knob : knobs) values.emplace(knob.name, knob.get(settings));
+    return values;
+}
+
 std::vector<Move> moves(const std::vector<Sweep>& sweeps, const scene::Settings& settings) {
     std::vector<Move> list{Move{}};
     for (const Sweep& sweep : sweeps) {

@@ -2,6 +2,7 @@
 // The settings that trade time for accuracy, and lists of values for them.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,9 @@ struct Sweep {
 
 /// Understands `lipschitz=0.5,1,2`; the settings are `steps`, `epsilon` and `lipschitz`.
 base::Result<Sweep> read_sweep(std::string_view text);
+
+/// The preset's own values, by name.
+std::map<std::string, double> own_values(const scene::Settings& settings);
 
 /// What is tried of a scene: first its own settings, then each value of each sweep that is another.
 std::vector<Move> moves(const std::vector<Sweep>& sweeps, const scene::Settings& settings);
