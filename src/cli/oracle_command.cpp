@@ -14,6 +14,7 @@
 #include "compile/check_scene.h"
 #include "image/pfm.h"
 #include "image/png.h"
+#include "oracle/cache.h"
 #include "oracle/picture.h"
 #include "oracle/reference_file.h"
 #include "oracle/trace.h"
@@ -77,6 +78,8 @@ void add_oracle_options(CLI::App& command, OracleOptions& options) {
     command.add_option("--threads", options.threads, "So many threads (as many as cores)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
+    command.add_flag("--no-cache", options.no_cache,
+                     "Neither looks for the result of an earlier run nor keeps this one");
 }
 
 int oracle_command(const InputOptions& input_options, const RenderOptions& render,
@@ -95,7 +98,8 @@ int oracle_command(const InputOptions& input_options, const RenderOptions& rende
                               .threads = options.threads,
                               .progress = {}};
     const auto start = std::chrono::steady_clock::now();
-    const auto reference = oracle::trace(input->formula, input->document, query);
+    const oracle::Cache cache(options.no_cache ? "" : oracle::cache_folder());
+    const auto reference = oracle::trace(input->formula, input->document, query, cache);
     if (!reference) {
         report(reference.problems());
         return failed;

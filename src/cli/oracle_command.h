@@ -13,6 +13,7 @@ namespace cli {
 struct OracleOptions {
     std::string picture, depth, normal, stats, certificate, reference;
     int threads = 0;
+    bool no_cache = false;
 };
 
 /// Adds all of them to a subcommand.

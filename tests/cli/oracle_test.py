@@ -4,6 +4,8 @@
 
 import json
 import math
+import os
+from pathlib import Path
 
 from program import HELP_LINE, Folder, main, read_pfm, run
 
@@ -12,6 +14,10 @@ BALL = ("oracle", "--formula", "x^2 + y^2 + z^2 = 1", "--size", "40x30", "--eye"
 
 
 class Oracle(Folder):
+    def setUp(self):
+        super().setUp()
+        os.environ["XDG_CACHE_HOME"] = str(self.folder / "own")
+
     def test_says_what_is_proven(self):
         result = run(*BALL, "--stats", "-")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
@@ -55,6 +61,23 @@ class Oracle(Folder):
                 self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
         with open(names[2], "rb") as file:
             self.assertEqual(file.readline(), b"zeroset reference 1 40 30\n")
+
+    def test_keeps_what_was_traced(self):
+        names = [str(self.folder / name) for name in "abc"]
+        place = {"XDG_CACHE_HOME": str(self.folder / "cache")}
+        for name in names[:2]:
+            self.check(run(*BALL, "--reference", name, **place), 0, "")
+        kept = list((self.folder / "cache" / "zeroset" / "oracle").iterdir())
+        self.assertEqual(len(kept), 1)
+        kept[0].write_bytes(kept[0].read_bytes()[:-9])
+        self.check(run(*BALL, "--reference", names[2], **place), 0, "")
+        contents = [Path(name).read_bytes() for name in names]
+        self.assertEqual(contents[0], contents[1])
+        self.assertEqual(contents[0], contents[2])
+        self.assertEqual(kept[0].read_bytes(), contents[0])
+        kept[0].unlink()
+        self.check(run(*BALL, "--no-cache", **place), 0, "")
+        self.assertEqual(list(kept[0].parent.iterdir()), [])
 
     def test_says_where_nothing_is_proven(self):
         result = run("oracle", "--formula", "mandelbulb(8, 3)", "--size", "8x6", "--stats", "-")

@@ -2,6 +2,8 @@
 // Single rays at what is hard: poles, domains, jumps, even roots.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "oracle/traced.h"
 
 namespace oracle {
@@ -14,11 +16,26 @@ void expect_hit(const Pixel& pixel, double depth) {
 }
 
 TEST(Verdicts, a_pole_is_no_sheet) {
-    EXPECT_NE(down_z("1/z = 0").verdict, Verdict::hit);
-    EXPECT_NE(down_z("1/(z - x + 0.1) = 0").verdict, Verdict::hit);
+    for (const char* formula :
+         {"1/z = 0", "1/(z - x + 0.1) = 0", "1/z^2 + 1/(z - 0.25)^2 = 0", "tan(z/4) = -9",
+          "1/(1 + 1/z) = 1", "z/z = 0", "(z - 9)/(z^2 - 0.01) = 0"}) {
+        EXPECT_EQ(down_z(formula).verdict, Verdict::miss) << formula;
+    }
+    // Between poles and behind them there may be sheets.
+    expect_hit(down_z("1/z + 4 = 0"), 5.25);
+    expect_hit(down_z("1/(1 + 1/z) = 3"), 6.5);
+    expect_hit(down_z("tan(4z) = 1"), 5 - 9 * M_PI / 16);
+    expect_hit(down_z("z*(z - 0.5)/z = 0"), 4.5);
 }
 
-TEST(Verdicts, a_jump_is_no_sheet) { EXPECT_NE(down_z("floor(z) = 0.5").verdict, Verdict::hit); }
+TEST(Verdicts, a_jump_is_no_sheet) {
+    for (const char* formula : {"floor(z) = 0.5", "z - floor(z) = 1.5", "sign(z) = 0.5",
+                                "atan2(z, -1 - x^2) = 7", "if(z < 0.3, 1, -1) = 0"}) {
+        EXPECT_EQ(down_z(formula).verdict, Verdict::miss) << formula;
+    }
+    expect_hit(down_z("z - floor(z) = 0.3"), 5 - 1.3);
+    expect_hit(down_z("mod(z, 0.75) = 0.2"), 5 - 1.7);
+}
 
 TEST(Verdicts, a_jump_or_a_pole_of_a_solid_is_its_wall) {
     expect_hit(down_z("floor(z) <= 0.5"), 4);
@@ -31,11 +48,29 @@ TEST(Verdicts, outside_of_the_domain_is_outside) {
     EXPECT_EQ(down_z("sqrt(z^2 - 9) <= 10").verdict, Verdict::miss);
 }
 
-TEST(Verdicts, an_even_root_is_never_a_miss) {
+TEST(Verdicts, an_even_root_that_is_written_as_one_is_hit) {
     for (const char* formula :
-         {"(z - 0.25)^2 = 0", "z^2 - z + 0.25 = 0", "abs(z) = 0", "(x^2 + y^2 + z^2 - 1)^2 = 0"}) {
-        EXPECT_NE(down_z(formula).verdict, Verdict::miss) << formula;
+         {"(z - 0.25)^2 = 0", "abs(z - 0.25) = 0", "-3(z - 0.25)^4 = 0", "sqrt(abs(z - 0.25)) = 0",
+          "abs(4z - 1)^1.5 = 0", "cbrt((z - 0.25)^2) = 0", "exp(x)*(z - 0.25)^2 = 0",
+          "log(z + 0.75)^2 = 0", "sqrt(0.25 - z) = 0", "(z - 0.25)^2*(z + 1) = 0"}) {
+        expect_hit(down_z(formula), 4.75);
     }
+    expect_hit(down_z("(x^2 + y^2 + z^2 - 1)^2 = 0"), 4);
+}
+
+TEST(Verdicts, another_even_root_is_undecided_about_where_it_is) {
+    const Pixel pixel = down_z("z^2 - z + 0.25 = 0");
+    EXPECT_EQ(pixel.verdict, Verdict::undecided);
+    EXPECT_LT(pixel.near, 4.5);
+    EXPECT_GT(pixel.far, 4.5);
+    EXPECT_NEAR(pixel.depth(), 4.5, 1e-6);
+    EXPECT_EQ(pixel.normal, glm::dvec3(0, 0, 1));
+}
+
+TEST(Verdicts, a_tangent_ray_is_undecided) {
+    const Pixel pixel = down_z("x^2 + y^2 + z^2 = 1", 1);
+    EXPECT_EQ(pixel.verdict, Verdict::undecided);
+    EXPECT_NEAR(pixel.depth(), 5, 1e-6);
 }
 
 TEST(Verdicts, a_bare_miss_of_a_double_root_is_proven) {
