@@ -11,10 +11,13 @@
 namespace oracle {
 namespace {
 
+/// Rounding decides nothing about what lies in the wall of the bounds: it is within.
+constexpr double wall = 1e-12;
+
 std::optional<Stretch> ahead(double begin, double end) {
     begin = std::max(begin, 0.0);
     if (!(begin < end)) return std::nullopt;
-    return Stretch{begin, end};
+    return Stretch{begin * (1 - wall), end * (1 + wall)};
 }
 
 std::optional<Stretch> within_sphere(const scene::Bounds& bounds, const Ray& ray) {
@@ -90,8 +93,8 @@ Stretch within(const scene::Bounds& bounds, const Beam& beam) {
     const double radius =
         bounds.shape == scene::Bounds::Shape::sphere ? bounds.half.x : glm::length(bounds.half);
     const double distance = glm::distance(beam.origin, bounds.centre);
-    return {std::max(0.0, (distance - radius) * (1 - 1e-12) - 1e-12 * radius),
-            (distance + radius) * (1 + 1e-12)};
+    const double margin = 2 * wall * (distance + radius);
+    return {std::max(0.0, distance - radius - margin), distance + radius + margin};
 }
 
 double latest_begin(const scene::Bounds& bounds, const Beam& beam) {

@@ -56,7 +56,8 @@ struct Stretch {
     double end = 0;
 };
 
-/// The part within the bounds; without any, up to scene::far_distance. Up to rounding.
+/// The part within the bounds with their walls, by 1e-12 longer than it is; without bounds up to
+/// scene::far_distance.
 std::optional<Stretch> within(const scene::Bounds& bounds, const Ray& ray);
 
 /// Holds those parts of all rays of a beam.

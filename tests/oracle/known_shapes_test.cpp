@@ -151,6 +151,23 @@ TEST(KnownShapes, sheets_are_cut_off_open) {
     check({"(x^2 + y^2 + z^2 = 1) | (x + y/2 = z/4)", ball_wall | plane});
 }
 
+TEST(KnownShapes, what_lies_in_the_wall_of_the_bounds_is_within) {
+    const scene::Camera off{{1, 2.6, 5.2}, {0, 0, 0}, {0, 1, 0}, 30};
+    scene::Bounds wider;
+    wider.half = glm::dvec3(2 + 1e-9);
+    for (const char* formula : {"x^2 + y^2 + z^2 = 4", "sphere(2)", "x^2 + y^2 + z^2 <= 4"}) {
+        Scene scene{.formula = formula, .bounds = {}, .camera = off};
+        const Reference inner = traced(scene);
+        scene.bounds = wider;
+        const Reference outer = traced(scene);
+        for (std::size_t i = 0; i < inner.pixels.size(); ++i) {
+            EXPECT_EQ(inner.pixels[i].verdict, outer.pixels[i].verdict) << formula << " " << i;
+            if (outer.pixels[i].verdict != Verdict::hit) continue;
+            EXPECT_NEAR(inner.pixels[i].depth(), outer.pixels[i].depth(), 1e-9);
+        }
+    }
+}
+
 TEST(KnownShapes, without_bounds_rays_end_far_away) {
     using namespace render_answers;
     const scene::Bounds none{scene::Bounds::Shape::none, glm::dvec3(0), glm::dvec3(2)};
