@@ -1,3 +1,5 @@
+#include "tracer/march.glsl"
+
 // Strides that are as long as the field allows.
 void stride_start() {}
 Answer stride_answer(real3 p, real3 d) { return field(p, d); }

@@ -1,18 +1,20 @@
 #include "tracer/settle.glsl"
+#include "tracer/trace.glsl"
 
-// Goes along a ray to the first surface, by the strides of the tracer that is chosen. The loop that makes the
-// steps is kept small, since many lanes go through it together; what happens at its end is rare.
+// Goes along a ray to the first surface, by the strides of the tracer that includes this. The loop that
+// makes the strides is kept small, since many lanes go through it together; what happens at its end is
+// rare.
 
-const int zs_miss = 0, zs_hit = 1, zs_unresolved = 2;
-
-struct Trace {
-    int status;
-    real t;       // where: the depth of a hit, the end of a miss, the best guess otherwise
-    int object;   // of a hit
-    bool turned;  // whether the object's f grows towards the inside there
-    bool cap;     // the hit is where a solid is cut by the bounds, or the eye is inside
-    int steps;
-};
+// Before a ray, and before it goes on behind a pole.
+void stride_start();
+// The answer at the end of a stride.
+Answer stride_answer(real3 p, real3 d);
+// Whether the stride `way` that led to this answer may have passed a surface; then the ray goes by
+// stride_back() from where it began.
+bool stride_has_parted(Answer a, real way);
+real stride_back();
+// How far to go on, where the field allows `free`.
+real stride(real free, real epsilon);
 
 Trace trace(real3 o, real3 d, real t0, real t1) {
     Trace result = Trace(zs_unresolved, t0, -1, false, false, 0);

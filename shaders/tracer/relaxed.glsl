@@ -1,3 +1,5 @@
+#include "tracer/march.glsl"
+
 // Over-relaxed sphere tracing (Keinert, Schaefer, Korndoerfer, Ganse, Stamminger, "Enhanced Sphere
 // Tracing", STAG 2014): strides of 1.6 radii, and back to where the last sphere ends if the next one does
 // not reach it. As safe as the radii are. After a step back the ray goes on without relaxation: it is

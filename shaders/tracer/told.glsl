@@ -1,16 +1,7 @@
+#include "tracer/trace.glsl"
+
 // No ray is followed: how far each goes is told from outside, and the field is asked there once. What
 // is left is the least that any tracer has to do. For measuring.
-
-const int zs_miss = 0, zs_hit = 1, zs_unresolved = 2;
-
-struct Trace {
-    int status;
-    real t;       // the depth of a hit
-    int object;   // of a hit
-    bool turned;  // whether the object's f grows towards the inside there
-    bool cap;     // the hit is where a solid is cut by the bounds, or the eye is inside
-    int steps;
-};
 
 // A pixel each, the first row at the top; +infinity for a miss.
 layout(binding = 0) uniform sampler2D told_depth;

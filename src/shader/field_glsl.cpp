@@ -15,8 +15,10 @@ FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& 
     write_cells(code);
     write_blends(code);
     write_tree(code, count_evaluations);
+    if (code.demands.intervals) write_enclosures(code, count_evaluations);
     write_gradients(code);
     write_colours(code);
+    code.out.has_edges = code.edges;
     code.out.values = code.values.list();
     code.out.expressions = eval::make_tape(code.field.graph, code.values.expressions());
     return std::move(code.out);

@@ -12,7 +12,8 @@ namespace shader {
 
 /// What a tracer asks of formulas beyond value and gradient.
 struct Demands {
-    bool hessians = false;  ///< the norm of the Hessian at each point, in place of bounds
+    bool hessians = false;   ///< the norm of the Hessian at each point, in place of bounds
+    bool intervals = false;  ///< enclosures of the tree over intervals of a ray
 };
 
 /// Generated code, and what it needs.
@@ -20,10 +21,12 @@ struct FieldGlsl {
     std::string code;
     std::set<std::string> operator_parts;  ///< below shaders/, to stand before the code
     std::set<std::string> leaf_parts;      ///< likewise
+    std::set<std::string> interval_parts;  ///< likewise, after those
     std::vector<FieldValue> values;
     eval::Tape expressions;          ///< those among the values, in their order
     bool needs_differences = false;  ///< for gradients
     bool has_colours = false;
+    bool has_edges = false;  ///< a formula may be undefined somewhere
 };
 
 /// Writes, for the tree and each leaf (object 0, 1, ... from left to right):
@@ -35,6 +38,7 @@ struct FieldGlsl {
 ///                                   iteration, or of the blend that it is part of
 ///   real object_distance(i, p)      the value of an iteration or blend; only if there are any
 ///   bool object_colour(i, p, colour)  a leaf's own colour, if it has one; only if some leaf has
+///   Enclosure enclose(o, d, t)      the whole tree over the interval t of the ray; only on demand
 /// The field's graph gets the derivatives' nodes, hence the copy.
 FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands = {});
 

@@ -17,7 +17,7 @@ namespace {
 struct Tracer {
     TracerName name;
     std::string_view step_part;
-    std::string_view stride_part = "tracer/as_answered.glsl";
+    std::string_view trace_part = "tracer/as_answered.glsl";
     Demands demands{};
 };
 
@@ -46,6 +46,12 @@ constexpr std::array table{
            "step/second_order.glsl",
            "tracer/as_answered.glsl",
            {.hessians = true}},
+    Tracer{{"interval",
+            "bisection with intervals of the value and of its derivative along the ray, in single "
+            "precision: slow, passes no surface; iterations, blends and copies by their distance"},
+           "step/auto.glsl",
+           "tracer/interval.glsl",
+           {.intervals = true}},
 };
 
 const Tracer& tracer_of(std::string_view name) {
@@ -113,12 +119,16 @@ ProgramSource program_source(const field::Field& field, const Features& features
     for (const std::string& part : generated.operator_parts) assembly.add_part(part);
     assembly.add_part(tracer.step_part);
     for (const std::string& part : generated.leaf_parts) assembly.add_part(part);
+    if (tracer.demands.intervals) {
+        assembly.add_code(fmt::format("const bool zs_may_be_empty = {};\n", generated.has_edges));
+        assembly.add_part("interval/enclosure.glsl");
+    }
+    for (const std::string& part : generated.interval_parts) assembly.add_part(part);
     assembly.add_code(generated.code);
     assembly.add_part(features.bounds_sphere ? "region/sphere.glsl"
                       : features.bounds_box  ? "region/box.glsl"
                                              : "region/none.glsl");
-    if (!features.told_depth) assembly.add_part(tracer.stride_part);
-    assembly.add_part(features.told_depth ? "tracer/told.glsl" : "tracer/march.glsl");
+    assembly.add_part(features.told_depth ? "tracer/told.glsl" : tracer.trace_part);
     if (generated.needs_differences) assembly.add_part("normal/differences.glsl");
     assembly.add_part("normal/normal.glsl");
     if (features.outputs.picture) add_picture_parts(assembly, features, generated.has_colours);

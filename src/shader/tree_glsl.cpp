@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The answer of the whole tree along a ray.
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,9 @@ public:
     /// Writes the statements of a node and returns the name of its answer.
     std::string write(FieldId id, const Place& place) {
         const field::Node node = code_.field[id];
+        const bool apart = std::holds_alternative<field::Blend>(node) ||
+                           std::holds_alternative<field::Cells>(node);
+        if (code_.demands.intervals && apart && !in_part_) return write_part(id, place);
         std::string name;
         const std::string right =
             std::visit([&](const auto& it) { return answer(id, it, place, name); }, node);
@@ -35,11 +39,27 @@ public:
     }
 
     const std::string& body() const { return body_; }
+    const std::string& parts() const { return parts_; }
     /// The cells in which there are sheets, by number.
     const std::vector<int>& watched_cells() const { return watched_; }
 
 private:
     std::string fresh() { return fmt::format("a{}", count_++); }
+
+    /// The answer of a node by a function of its own.
+    std::string write_part(FieldId id, const Place& place) {
+        const std::string outside = std::exchange(body_, {});
+        in_part_ = true;
+        const std::string answer = write(id, {});
+        in_part_ = false;
+        parts_ += fmt::format("Answer part_{}(real3 p, real3 d) {{\n{}    return {};\n}}\n",
+                              part_count_, body_, answer);
+        body_ = outside;
+        const std::string name = fresh();
+        body_ += fmt::format("    Answer {} = part_{}({}, {});\n", name, part_count_++, place.p,
+                             place.d);
+        return name;
+    }
 
     std::string leaf(const Place& place) {
         const std::size_t i = object_++;
@@ -113,7 +133,9 @@ private:
     }
 
     FieldCode& code_;
-    std::string body_;
+    std::string body_, parts_;
+    bool in_part_ = false;
+    int part_count_ = 0;
     std::vector<int> watched_;
     std::size_t object_ = 0, blend_ = 0;
     int count_ = 0, cells_ = 0;
@@ -140,6 +162,7 @@ void write_tree(FieldCode& code, bool count_evaluations) {
     TreeWriter tree(code);
     const std::string root = tree.write(code.field.root, {});
     write_sides(code, tree.watched_cells());
+    code.out.code += tree.parts();
     code.out.code += fmt::format(
         "{}Answer field(real3 p, real3 d) {{\n"
         "    zs_undefined = 0;\n"

@@ -1,0 +1,1 @@
+real2 interval_neg(real2 a) { return -a.yx; }

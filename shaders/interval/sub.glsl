@@ -1,0 +1,3 @@
+#include "interval/interval.glsl"
+
+real2 interval_sub(real2 a, real2 b) { return interval_outward(a - b.yx); }
