@@ -13,11 +13,11 @@ constexpr double confidence = 0.998;
 constexpr double least_change = 0.08;
 constexpr std::uint32_t seed = 1;
 
-/// By round; empty where a round is missing.
+/// By round.
 std::vector<double> in_yardsticks(const PresetReport& preset, const Entry& entry) {
     std::vector<double> list;
-    if (preset.yardstick_seconds.size() != entry.seconds.size()) return list;
-    for (std::size_t i = 0; i < entry.seconds.size(); ++i) {
+    const std::size_t both = std::min(preset.yardstick_seconds.size(), entry.seconds.size());
+    for (std::size_t i = 0; i < both; ++i) {
         list.push_back(entry.seconds[i] / preset.yardstick_seconds[i]);
     }
     return list;

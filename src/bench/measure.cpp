@@ -57,7 +57,12 @@ struct Timed {
     std::size_t entry = 0;  ///< of the report, unless it is the yardstick
     std::size_t program = 0;
     render::Frame frame;
+    double typical_seconds = 0;  ///< of a frame before the rounds
 };
+
+/// What takes longer is drawn in the first rounds only.
+constexpr double slow_seconds = 1;
+constexpr int slow_rounds = 3;
 
 /// The work on one scene as it grows: what is to be drawn, and the report.
 class Measurement {
@@ -173,8 +178,14 @@ base::Status Measurement::add_yardstick() {
 /// Draws it a first time; the seconds of that.
 double Measurement::add_timed(Part part, std::size_t entry, std::size_t program,
                               const scene::Document& document) {
-    timed_.push_back({part, entry, program, frame(document, picture_)});
-    return timed_draw(picture_, programs_[program], timed_.back().frame);
+    Timed& timed = timed_.emplace_back(Timed{part, entry, program, frame(document, picture_)});
+    const double first = timed_draw(picture_, programs_[program], timed.frame);
+    timed.typical_seconds = first;
+    // The first draw of a program may be long because the driver compiles it.
+    if (first > slow_seconds) {
+        timed.typical_seconds = timed_draw(picture_, programs_[program], timed.frame);
+    }
+    return first;
 }
 
 base::Status Measurement::add_entries(const std::string& tracer, const std::vector<Move>& moves,
@@ -333,7 +344,12 @@ void Measurement::tell(const Timed& timed, std::vector<double> seconds) {
 }
 
 void Measurement::draw_rounds() {
-    auto seconds = interleave(timed_.size(), options_.rounds, options_.seed, [&](std::size_t i) {
+    std::vector<int> rounds;
+    for (const Timed& timed : timed_) {
+        const bool is_slow = timed.typical_seconds > slow_seconds;
+        rounds.push_back(is_slow ? std::min(slow_rounds, options_.rounds) : options_.rounds);
+    }
+    auto seconds = interleave(rounds, options_.seed, [&](std::size_t i) {
         return timed_draw(picture_, programs_[timed_[i].program], timed_[i].frame);
     });
     for (std::size_t i = 0; i < timed_.size(); ++i) tell(timed_[i], std::move(seconds[i]));

@@ -42,7 +42,8 @@ struct Measured {
 
 /// All programs of a scene are linked once and kept: one for each tracer, the shaders by hand that
 /// are meant for it, and the limit. Then, round after round, every configuration draws one frame,
-/// in another order each round. Without a reference (null) errors are left open, and the limit is
+/// in another order each round; those that take longer than a second only in the
+/// first three rounds. Without a reference (null) errors are left open, and the limit is
 /// told the depths of `auto`. The context must be current. Errors: no memory, a program that the
 /// driver rejects, a reference of another size than the options say.
 ///

@@ -23,8 +23,11 @@ const Entry* find(const PresetReport& preset, const std::string& tracer, const M
 }
 
 std::optional<double> time_ratio(const Entry& entry, const Entry* other) {
-    if (!other || other->seconds.size() != entry.seconds.size()) return std::nullopt;
-    return paired_ratio(entry.seconds, other->seconds).median;
+    if (!other) return std::nullopt;
+    const std::size_t both = std::min(entry.seconds.size(), other->seconds.size());
+    if (both == 0) return std::nullopt;
+    const std::span<const double> a(entry.seconds), b(other->seconds);
+    return paired_ratio(a.first(both), b.first(both)).median;
 }
 
 const Entry* plain_of(const PresetReport& preset) {

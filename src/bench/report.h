@@ -54,7 +54,7 @@ std::array<double, 4> shares(const Passes& passes);
 struct Entry {
     std::string tracer;
     Move move;
-    std::vector<double> seconds;  ///< a frame, by round
+    std::vector<double> seconds;  ///< a frame, by round; slow ones have no later rounds
     double link_seconds = 0;      ///< of its program
     double first_frame_seconds = 0;
     std::optional<double> evaluations;  ///< of the field by primary rays, a pixel
@@ -65,7 +65,7 @@ struct Entry {
     friend bool operator==(const Entry&, const Entry&) = default;
 };
 
-/// All of one preset. In each round each of its entries was drawn once.
+/// All of one preset. In each round each of its entries was drawn once, but for slow ones.
 struct PresetReport {
     std::string preset;
     bool smooth = false;           ///< proven: smooth, and defined all over the bounds
@@ -90,8 +90,8 @@ struct Report {
 /// The entry of a tracer with this setting; null if there is none.
 const Entry* find(const PresetReport& preset, const std::string& tracer, const Move& move = {});
 
-/// How many times as long the one took as the other: the median over the rounds. None if there is
-/// no other, or if it was not drawn in the same rounds.
+/// How many times as long the one took as the other: the median over the rounds that both were
+/// drawn in. None if there is no other, or no such round.
 std::optional<double> time_ratio(const Entry& entry, const Entry* other);
 
 /// The shader by hand that stands for this preset: the fractal's own, else sphere tracing of the

@@ -42,11 +42,13 @@ void add_run_options(CLI::App& command, bench::Options& run) {
     run.sweeps = {{"lipschitz", {0.5, 2}}, {"epsilon", {0.01, 0.5}}};
     command.add_option("--tracers", run.tracers, "Which tracers, with commas between (all)")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(CLI::IsMember(tracer_names()))
         ->type_name("NAMES");
     command
         .add_option("--passes", run.passes, "Tracers whose frame is told apart by passes (auto)")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(CLI::IsMember(tracer_names()))
         ->type_name("NAMES");
     command

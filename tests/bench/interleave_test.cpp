@@ -12,7 +12,7 @@ namespace {
 /// The numbers in the order in which they were drawn.
 std::vector<std::size_t> order(std::size_t count, int rounds, std::uint32_t seed) {
     std::vector<std::size_t> drawn;
-    interleave(count, rounds, seed, [&](std::size_t i) {
+    interleave(std::vector<int>(count, rounds), seed, [&](std::size_t i) {
         drawn.push_back(i);
         return 0.0;
     });
@@ -36,9 +36,17 @@ TEST(Interleave, shuffles_each_round_by_the_seed) {
     EXPECT_NE(drawn, order(10, 2, 4));
 }
 
+TEST(Interleave, leaves_some_out_of_later_rounds) {
+    const auto results = interleave(std::vector<int>{4, 2, 0}, 1, [](std::size_t) { return 1.0; });
+    EXPECT_EQ(results[0].size(), 4U);
+    EXPECT_EQ(results[1].size(), 2U);
+    EXPECT_TRUE(results[2].empty());
+    EXPECT_TRUE(interleave({}, 1, [](std::size_t) { return 1.0; }).empty());
+}
+
 TEST(Interleave, gives_results_by_number_and_round) {
     double clock = 0;
-    const auto results = interleave(3, 5, 1, [&](std::size_t i) {
+    const auto results = interleave(std::vector<int>(3, 5), 1, [&](std::size_t i) {
         clock += 100;
         return clock + static_cast<double>(i);
     });

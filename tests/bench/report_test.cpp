@@ -31,6 +31,11 @@ TEST(Report, ratios_are_by_rounds) {
     EXPECT_DOUBLE_EQ(*time_ratio(own, plain_of(preset)), 0.5);
     EXPECT_DOUBLE_EQ(*time_ratio(own, find(preset, "limit")), 4);
     EXPECT_FALSE(time_ratio(own, nullptr));
+    Entry slow = own;
+    slow.seconds = {16e-3};
+    EXPECT_DOUBLE_EQ(*time_ratio(slow, find(preset, "limit")), 16);
+    slow.seconds.clear();
+    EXPECT_FALSE(time_ratio(slow, find(preset, "limit")));
     EXPECT_FALSE(time_ratio(own, find(preset, "nobody")));
 }
 
