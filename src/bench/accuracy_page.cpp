@@ -36,7 +36,7 @@ const Errors* any_errors(const PresetReport& preset) {
 }
 
 std::string reference_table(const Report& report) {
-    Rows rows{{"preset", "reference", "undecided", "near an outline", "seconds"}};
+    Rows rows{{"preset", "reference", "undecided", "near an outline"}};
     for (const PresetReport& preset : report.presets) {
         const Errors* errors = any_errors(preset);
         if (!errors) continue;
@@ -47,8 +47,7 @@ std::string reference_table(const Report& report) {
                         : preset.smooth ? "proven, smooth"
                                         : "proven",
                         fmt::format("{:.3f} %", static_cast<double>(errors->undecided) / all),
-                        fmt::format("{:.2f} %", static_cast<double>(errors->fragile) / all),
-                        fmt::format("{:.1f}", preset.reference_seconds)});
+                        fmt::format("{:.2f} %", static_cast<double>(errors->fragile) / all)});
     }
     return markdown_table(rows);
 }

@@ -68,9 +68,8 @@ struct Entry {
 /// All of one preset. In each round each of its entries was drawn once, but for slow ones.
 struct PresetReport {
     std::string preset;
-    bool smooth = false;           ///< proven: smooth, and defined all over the bounds
-    bool proven = true;            ///< the reference proves what it does not call undecided
-    double reference_seconds = 0;  ///< what the reference took; 0 without
+    bool smooth = false;  ///< proven: smooth, and defined all over the bounds
+    bool proven = true;   ///< the reference proves what it does not call undecided
     std::vector<double> yardstick_seconds;   ///< by round: what a fixed program took beside them
     std::map<std::string, double> settings;  ///< the preset's own, of those that can be moved
     std::vector<Entry> entries;

@@ -99,13 +99,9 @@ Entry entry(const Json& j) {
 }
 
 Json json(const PresetReport& p) {
-    Json j{{"preset", p.preset},
-           {"smooth", p.smooth},
-           {"proven", p.proven},
-           {"reference_seconds", p.reference_seconds},
-           {"yardstick_seconds", p.yardstick_seconds},
-           {"settings", p.settings},
-           {"entries", Json::array()}};
+    Json j{{"preset", p.preset},     {"smooth", p.smooth},
+           {"proven", p.proven},     {"yardstick_seconds", p.yardstick_seconds},
+           {"settings", p.settings}, {"entries", Json::array()}};
     for (const Entry& e : p.entries) j["entries"].push_back(json(e));
     return j;
 }
@@ -115,7 +111,6 @@ PresetReport preset(const Json& j) {
     j.at("preset").get_to(p.preset);
     j.at("smooth").get_to(p.smooth);
     j.at("proven").get_to(p.proven);
-    j.at("reference_seconds").get_to(p.reference_seconds);
     j.at("yardstick_seconds").get_to(p.yardstick_seconds);
     j.at("settings").get_to(p.settings);
     for (const Json& e : j.at("entries")) p.entries.push_back(entry(e));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/bench_command.h"
 
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -20,17 +19,13 @@
 #include "cli/input.h"
 #include "cli/output_file.h"
 #include "cli/run.h"
-#include "oracle/trace.h"
+#include "oracle/cache.h"
 #include "render/context.h"
 
 namespace cli {
 namespace {
 
 constexpr std::size_t largest_report = std::size_t{256} << 20;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// What is right; nothing if it is not wanted.
 base::Result<std::optional<oracle::Reference>> reference_of(const BenchOptions& options,
@@ -39,7 +34,8 @@ base::Result<std::optional<oracle::Reference>> reference_of(const BenchOptions& 
     oracle::Query query;
     query.width = options.run.reference_width;
     query.height = options.run.reference_height;
-    auto reference = oracle::trace(subject.formula, subject.document, query);
+    auto reference = oracle::trace(subject.formula, subject.document, query,
+                                   oracle::Cache(oracle::cache_folder()));
     if (!reference) return reference.problems();
     return std::optional(std::move(*reference));
 }
@@ -49,14 +45,9 @@ base::Result<bench::Measured> measure_one(render::Context& context, const BenchO
     const double aspect = static_cast<double>(options.run.width) / options.run.height;
     const auto subject = bench::read_subject(file.path, file.name, aspect);
     if (!subject) return subject.problems();
-    const auto start = std::chrono::steady_clock::now();
     const auto reference = reference_of(options, *subject);
     if (!reference) return reference.problems();
-    const double seconds = seconds_since(start);
-    auto measured =
-        bench::measure(context, *subject, options.run, *reference ? &**reference : nullptr);
-    if (measured && *reference) measured->report.reference_seconds = seconds;
-    return measured;
+    return bench::measure(context, *subject, options.run, *reference ? &**reference : nullptr);
 }
 
 /// A run, and the pictures of each preset.

@@ -38,7 +38,6 @@ inline Report hand_made() {
     PresetReport preset;
     preset.preset = "surfaces/ball";
     preset.smooth = true;
-    preset.reference_seconds = 0.5;
     preset.yardstick_seconds = {1e-3, 2e-3, 1e-3};
     preset.settings = {{"epsilon", 0.1}, {"lipschitz", 1}, {"steps", 1024}};
     preset.entries = {entry("auto", {}, {4e-3, 8e-3, 4e-3}, 2),

@@ -12,8 +12,11 @@ TINY = ("--size", "32x24", "--reference-size", "24x18", "--rounds", "2", "--trac
 
 
 class Bench(Folder):
+    def bench(self, *arguments):
+        return run("bench", *arguments, XDG_CACHE_HOME=str(self.folder / "cache"))
+
     def test_a_tiny_run_prints_a_table_of_each_preset(self):
-        result = run("bench", "torus", "julia_default", *TINY)
+        result = self.bench( "torus", "julia_default", *TINY)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertIn("32x24 pixels, 2 rounds", result.stdout)
         first, second = result.stdout.index("surfaces/torus"), result.stdout.index("fractals/julia")
@@ -28,7 +31,7 @@ class Bench(Folder):
         docs.mkdir()
         names = {name: str(self.folder / f"out.{name}") for name in ("csv", "json", "html")}
         outputs = [part for name, path in names.items() for part in (f"--{name}", path)]
-        result = run("bench", "torus", *TINY, *outputs, "--docs", str(docs))
+        result = self.bench( "torus", *TINY, *outputs, "--docs", str(docs))
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         rows = list(csv.DictReader(Path(names["csv"]).read_text().splitlines()))
         report = json.loads(Path(names["json"]).read_text())
@@ -44,7 +47,7 @@ class Bench(Folder):
         self.assertIn("surfaces/torus", (docs / "performance.md").read_text())
         self.assertIn("surfaces/torus", (docs / "accuracy.md").read_text())
 
-        again = run("bench", "torus", *TINY, "--baseline", names["json"])
+        again = self.bench( "torus", *TINY, "--baseline", names["json"])
         self.assertEqual((again.returncode, again.stderr), (0, ""))
         self.assertIn(f"Since {names['json']}:", again.stdout)
         self.assertRegex(again.stdout, r"of \d+ configurations are the same")
@@ -52,7 +55,7 @@ class Bench(Folder):
         for entry in entries:
             entry["seconds"] = [seconds / 100 for seconds in entry["seconds"]]
         old = self.file("old.json", json.dumps(report))
-        worse = run("bench", "torus", *TINY, "--baseline", old, "--fail-on-regression")
+        worse = self.bench( "torus", *TINY, "--baseline", old, "--fail-on-regression")
         self.assertEqual((worse.returncode, worse.stderr), (1, ""))
         self.assertIn("slower", worse.stdout)
 
@@ -63,23 +66,23 @@ class Bench(Folder):
                 (("--sweep", "speed=1"),
                  "--sweep: 'speed=1' should be lipschitz=, steps= or epsilon= and values, such as "
                  "lipschitz=0.5,1,2")):
-            self.check(run("bench", "torus", *arguments), 2,
+            self.check(self.bench( "torus", *arguments), 2,
                        f"zeroset: error: {message}\n{HELP_LINE}")
         for arguments in (("--tracers", "nope"), ("--rounds", "0"), ("--backend", "vulkan")):
-            result = run("bench", "torus", *arguments)
+            result = self.bench( "torus", *arguments)
             self.assertEqual(result.returncode, 2)
             self.assertIn(arguments[0], result.stderr)
-        result = run("bench", "tours")
+        result = self.bench( "tours")
         self.assertEqual(result.returncode, 1)
         self.assertIn("torus", result.stderr)
-        result = run("bench", "torus", "--json", str(self.folder / "no" / "a.json"))
+        result = self.bench( "torus", "--json", str(self.folder / "no" / "a.json"))
         self.assertEqual(result.returncode, 1)
         self.assertIn("there is no folder", result.stderr)
-        result = run("bench", "torus", "--baseline", self.file("old.json", "{}"))
+        result = self.bench( "torus", "--baseline", self.file("old.json", "{}"))
         self.assertEqual(result.returncode, 1)
         self.assertIn("is no report; make one with 'zeroset bench --json'", result.stderr)
         bad = self.file("bad.json", '{"zeroset": 1, "formula": "sine(x) = 0"}')
-        result = run("bench", bad, *TINY)
+        result = self.bench( bad, *TINY)
         self.assertEqual(result.returncode, 1)
         self.assertIn(bad, result.stderr)
 
