@@ -57,6 +57,7 @@ void AccuracyCheck::look(const PresentView& view, double now) {
     if (thread_.busy() && asked_ != key_) {
         thread_.cancel();
         asked_.reset();
+        if (!accuracy_.keep_checking) accuracy_.problem = "given up: the view has changed";
     }
     take_reference();
     accuracy_.of_this_view = accuracy_.reference && accuracy_.key == key_;

@@ -125,7 +125,7 @@ void show_judgement(Workspace& workspace) {
     Accuracy& accuracy = workspace.accuracy;
     if (!accuracy.reference) return;
     if (!accuracy.of_this_view) {
-        ImGui::TextColored(doubtful, "of an earlier view");
+        ImGui::TextColored(doubtful, "of an earlier view or size");
         tooltip_of_last("The view has changed since it was checked. Undo brings it back.");
         return;
     }

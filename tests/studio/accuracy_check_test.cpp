@@ -185,6 +185,7 @@ TEST(AccuracyCheck, gives_tracing_up_when_the_view_changes) {
     EXPECT_EQ(studio.accuracy.phase, Phase::idle);
     EXPECT_TRUE(comes_true([&] { return studio.fake.given_up == 1; }));
     EXPECT_FALSE(studio.accuracy.reference);
+    EXPECT_EQ(studio.accuracy.problem, "given up: the view has changed");
 }
 
 TEST(AccuracyCheck, knows_an_earlier_view_and_knows_it_again) {
