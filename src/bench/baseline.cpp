@@ -33,7 +33,9 @@ Change change(const PresetReport& before, const Entry& old, const PresetReport& 
     if (!a.empty() && !b.empty()) {
         c.ratio = quantile(b, 0.5) / quantile(a, 0.5);
         c.interval = ratio_of_medians(a, b, confidence, seed);
-        c.speed = speed(c.interval);
+        const Quartiles qa = quartiles(a), qb = quartiles(b);
+        const bool apart = qb.lower > qa.upper || qb.upper < qa.lower;
+        c.speed = apart ? speed(c.interval) : Speed::same;
     }
     if (old.errors && entry.errors && same_reference) {
         c.wrong_before = old.errors->wrong();

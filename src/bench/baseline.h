@@ -26,8 +26,9 @@ struct Change {
 };
 
 /// Times are compared in units of the yardstick, so that a machine that is slow in one of the runs
-/// makes no difference. A verdict is given only where the whole interval is more than 8 % off 1:
-/// so much two runs of one program were seen to differ by where things lie in memory. Wrong pixels
+/// makes no difference. A verdict is given only where the quartiles of both runs do not overlap and
+/// the whole interval is more than 8 % off 1: the margin is for what differs between runs as a
+/// whole, such as where a program lies in memory, and no spread within a run can show. Wrong pixels
 /// differ if by more than twice the square root of the larger number. Error: other sizes.
 base::Result<std::vector<Change>> changes(const Report& before, const Report& now);
 

@@ -25,6 +25,10 @@ struct TortureScene {
 base::Result<std::vector<TortureScene>> read_torture(std::string_view text,
                                                      const std::string& name);
 
+/// Geometric means of each tracer's times to those of the shaders by hand and of the limit, with
+/// the number of presets that have both, as a table in Markdown.
+std::string means_table(const Report& report);
+
 /// docs/performance.md: times, ratios to the shaders by hand and to the limit, where a frame goes.
 std::string performance_page(const Report& report);
 

@@ -34,18 +34,6 @@ std::string mean_ratio(const Report& report, const std::string& tracer, std::str
     return fmt::format("{:.2f} ({})", geometric_mean(ratios), ratios.size());
 }
 
-std::string means(const Report& report) {
-    Rows rows{{"tracer", "plain first-order, smooth presets", "plain sphere, smooth presets",
-               "plain fractals", "limit, all presets"}};
-    for (const std::string& tracer : tracer_names(report)) {
-        rows.push_back({tracer, mean_ratio(report, tracer, plain_first_order_name, true),
-                        mean_ratio(report, tracer, plain_sphere_name, true),
-                        mean_ratio(report, tracer, plain_name, false),
-                        mean_ratio(report, tracer, limit_name, false)});
-    }
-    return markdown_table(rows);
-}
-
 std::string times(const Report& report) {
     std::vector<std::string> columns = tracer_names(report);
     for (const std::string_view name :
@@ -99,6 +87,18 @@ std::string passes(const Report& report) {
 
 }  // namespace
 
+std::string means_table(const Report& report) {
+    Rows rows{{"tracer", "plain first-order, smooth presets", "plain sphere, smooth presets",
+               "plain fractals", "limit, all presets"}};
+    for (const std::string& tracer : tracer_names(report)) {
+        rows.push_back({tracer, mean_ratio(report, tracer, plain_first_order_name, true),
+                        mean_ratio(report, tracer, plain_sphere_name, true),
+                        mean_ratio(report, tracer, plain_name, false),
+                        mean_ratio(report, tracer, limit_name, false)});
+    }
+    return markdown_table(rows);
+}
+
 std::string performance_page(const Report& report) {
     std::string page =
         "# Performance\n\n"
@@ -118,7 +118,7 @@ std::string performance_page(const Report& report) {
         "normal and shades, without shadow rays: the least that any tracer could cost.\n\n"
         "Ratios are medians of those of single rounds, so that a slow moment does not count. Above "
         "1 is slower.\n\n";
-    page += "Geometric means of the ratios (over how many presets):\n\n" + means(report);
+    page += "Geometric means of the ratios (over how many presets):\n\n" + means_table(report);
     page += "## Milliseconds a frame\n\nMedians, each tracer with the preset's own settings.\n\n" +
             times(report);
     page += "## The tracer auto\n\n" + ratios(report);

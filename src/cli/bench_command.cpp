@@ -81,6 +81,8 @@ base::Result<Run> measure_all(const BenchOptions& options,
         report.presets.push_back(std::move(measured->report));
         run.pictures.push_back(std::move(measured->pictures));
     }
+    fmt::print("\nGeometric means of times to those of the shaders by hand and of the limit:\n{}",
+               bench::means_table(report));
     return run;
 }
 

@@ -21,6 +21,7 @@ class Bench(Folder):
         self.assertIn("32x24 pixels, 2 rounds", result.stdout)
         first, second = result.stdout.index("surfaces/torus"), result.stdout.index("fractals/julia")
         self.assertLess(first, second)
+        self.assertIn("Geometric means", result.stdout)
         for tracer in ("auto", "sphere"):
             rows = [line for line in result.stdout.splitlines() if line.startswith(tracer + " ")]
             self.assertEqual(len(rows), 4, tracer)
