@@ -71,6 +71,13 @@ private:
         }
         Union all;
         for (const ZeroSet& set : zero_sets(graph_, value)) {
+            if (set.below) {
+                append(all, one({.what = Solid::What::formula,
+                                 .source = expressions_.add(set.zero),
+                                 .object = object},
+                                place));
+                continue;
+            }
             Sheet sheet{.source = expressions_.add(set.zero), .object = object};
             for (const NodeId guard : set.guards) sheet.guards.push_back(expressions_.add(guard));
             all.sheets.push_back(std::move(sheet));

@@ -14,7 +14,8 @@
 namespace oracle {
 namespace {
 
-constexpr double most_turns = 64;
+/// Each turn doubles or triples the detail; finer than this an estimate does better than a proof.
+constexpr double most_turns = 8;
 constexpr std::size_t most_nodes = 3000;
 
 /// By how much an interval is larger than the values of something that changes by no more than the

@@ -59,6 +59,10 @@ private:
                 return visit(graph_.apply(Op::sin, argument(0)), guards);
             case Op::pow:
                 return visit_power(id, guards);
+            case Op::min:
+            case Op::max:
+                if (!guards.empty() || !visit_bound(node)) break;
+                return;
             case Op::mul:
                 visit(argument(0), with_domain(guards, argument(1)));
                 if (argument(1) != argument(0)) {
@@ -88,20 +92,18 @@ private:
             case Op::sign:
             case Op::floor:
             case Op::ceil:
-            case Op::min:
-            case Op::max:
             case Op::ratio:
             case Op::select_less:
                 break;
         }
         // Where a factor of a guard is 0 nothing is drawn.
-        if (std::ranges::find(guards, id) == guards.end()) found_.push_back({id, guards});
+        if (std::ranges::find(guards, id) == guards.end()) found_.push_back({id, guards, false});
     }
 
     void visit_power(NodeId id, const std::vector<NodeId>& guards) {
         const auto [base, exponent] = std::pair{graph_[id].arguments[0], graph_[id].arguments[1]};
         if (!graph_.is_constant(exponent)) {
-            found_.push_back({id, guards});
+            found_.push_back({id, guards, false});
         } else if (graph_[exponent].value > 0) {
             visit(base, guards);
         }
@@ -115,6 +117,18 @@ private:
             guards.push_back(id);
         }
     }
+    /// The maximum or the minimum with 0; false if it is another one.
+    bool visit_bound(const Node& node) {
+        for (const std::size_t zero : {0, 1}) {
+            if (!graph_.is_constant(node.arguments[zero], 0)) continue;
+            const NodeId other = node.arguments[1 - zero];
+            const NodeId below = node.op == Op::max ? other : graph_.apply(Op::neg, other);
+            found_.push_back({below, {}, true});
+            return true;
+        }
+        return false;
+    }
+
     NodeId minus_one(NodeId id) { return graph_.apply(Op::sub, id, graph_.constant(1)); }
 
     /// A factor that may be undefined must be defined: 1 + |factor| is then not 0.

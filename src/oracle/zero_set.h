@@ -8,10 +8,11 @@
 
 namespace oracle {
 
-/// The places where `zero` is 0 and every guard is defined and not 0.
+/// The places where `zero` is 0 (or `below`: at most 0) and every guard is defined and not 0.
 struct ZeroSet {
     graph::NodeId zero{};
     std::vector<graph::NodeId> guards;
+    bool below = false;  ///< only without guards
 };
 
 /// The zeros of the expression as a union, exact for real numbers: roots, absolute values and

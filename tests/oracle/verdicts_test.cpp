@@ -58,6 +58,12 @@ TEST(Verdicts, an_even_root_that_is_written_as_one_is_hit) {
     expect_hit(down_z("(x^2 + y^2 + z^2 - 1)^2 = 0"), 4);
 }
 
+TEST(Verdicts, a_sheet_may_be_a_solid) {
+    expect_hit(down_z("max(x^2 + y^2 + z^2 - 1, 0) = 0"), 4);
+    expect_hit(down_z("min(0, 1 - x^2 - y^2 - z^2) = 0"), 4);
+    EXPECT_EQ(down_z("max(x^2 + y^2 + z^2 - 1, 0) = 0", 1.1).verdict, Verdict::miss);
+}
+
 TEST(Verdicts, another_even_root_is_undecided_about_where_it_is) {
     const Pixel pixel = down_z("z^2 - z + 0.25 = 0");
     EXPECT_EQ(pixel.verdict, Verdict::undecided);
