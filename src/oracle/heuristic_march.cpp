@@ -14,6 +14,15 @@ constexpr int most_steps = 50'000;
 constexpr double blind_part = 1.0 / 512;
 constexpr double enclosure = 1e-9;
 
+/// True if all leaves below tell distances; first-order ones of other formulas may be far too
+/// large.
+bool tells_distances(const Shape& shape, std::size_t solid) {
+    const Solid& node = shape.solids[solid];
+    if (node.what == Solid::What::formula) return node.distance;
+    return std::ranges::all_of(
+        node.operands, [&](std::size_t operand) { return tells_distances(shape, operand); });
+}
+
 }  // namespace
 
 HeuristicMarch::HeuristicMarch(const Shape& shape)
@@ -55,6 +64,7 @@ Found HeuristicMarch::march(std::size_t number, const Ray& ray, const Stretch& s
                             double pixel_width) {
     const Part& part = shape_.parts[number];
     const double blind = blind_part * (stretch.end - stretch.begin);
+    const double known = tells_distances(shape_, part.solid) ? field::unknown_depth : 0;
     Found found{.verdict = Verdict::hit, .number = number};
     double t = stretch.begin, distance = distance_(part.solid, ray.at(t));
     found.near = found.far = t;
@@ -67,8 +77,8 @@ Found HeuristicMarch::march(std::size_t number, const Ray& ray, const Stretch& s
             return found;
         }
         const double least = 1e-12 * t + 1e-15;
-        const double way = std::min(
-            {step_part * distance, way_to_walls(part, ray, t) + least, std::max(blind, 0.0)});
+        const double way = std::min({step_part * distance, way_to_walls(part, ray, t) + least,
+                                     distance < known ? numeric::infinity : blind});
         t += std::max(way, least);
         if (t > stretch.end) return {};
         distance = distance_(part.solid, ray.at(t));
