@@ -1,13 +1,14 @@
 // How much of a light is seen from o: on the way to it, the smallest of k * distance / travelled
-// (O 6.3.3, K 112). The nearest approach between two points is guessed from both distances (Aaltonen,
-// "GPU-based clay simulation and ray-tracing tech in Claybook", GDC 2018), which takes the bands away.
+// (O 6.3.3, K 112). The nearest approach between two points is where the circles around them meet, of
+// their distances (Aaltonen, "GPU-based clay simulation and ray-tracing tech in Claybook", GDC 2018, there
+// for steps as long as the first distance), which takes the bands away.
 // Heuristic: the distance is a first-order estimate.
 real soft_shadow(real3 o, real3 l, real t0, real t1) {
     real k = frame.march.w;
     real seen = 1.0;
     real t = t0;
     real least = 2e-3 * length(frame.bounds_half.xyz);
-    real before = zs_far;
+    real before = 0.0, step = 0.0;
     bool rising = false;
     field_start();
     int steps = min(int(frame.march.x), 128);
@@ -19,12 +20,14 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
         if (a.free <= 0.0 && !pole) return 0.0;
         rising = a.value * a.rate > 0.0;
         real h = min(a.distance, 1e6);
-        real back = min(h * h / (2.0 * before), h);
+        real back = step > 0.0 ? (step * step + h * h - before * before) / (2.0 * step) : 0.0;
+        back = clamp(back, 0.0, min(h, step));
         real nearest = sqrt(h * h - back * back);
         if (t > back && !rising && !pole) seen = min(seen, k * nearest / (t - back));
         if (seen < 0.01) return 0.0;
         before = h;
-        t += max(min(a.free, max(h, least)), least);
+        step = max(min(a.free, max(h, least)), least);
+        t += step;
         if (t > t1) break;
     }
     return seen * seen * (3.0 - 2.0 * seen);

@@ -65,6 +65,32 @@ TEST(Heart, has_no_fins) {
     EXPECT_LE(a.missed + a.phantom + a.moved, 15);
 }
 
+TEST(ErodedBlock, has_no_dark_streaks_on_its_flat_caps) {
+    constexpr int width = 320, height = 240;
+    const render::Still still =
+        render(read("solids/eroded_block.json"), render::whole(width, height),
+               {.picture = true, .geometry = true, .normal = true});
+    ASSERT_EQ(still.picture.width, width);
+    int flat = 0, streaks = 0;
+    for (int j = 1; j < height - 1; ++j) {
+        for (int i = 1; i < width - 1; ++i) {
+            const auto same_wall = [&](int a, int b) {
+                return status(still, a, b) == shader::Status::hit &&
+                       normal(still, a, b) == normal(still, i, j);
+            };
+            const auto green = [&](int a, int b) { return int{still.picture.at(a, b)[1]}; };
+            const auto is_darker = [&](int a, int b, int c, int d) {
+                return same_wall(a, b) && same_wall(c, d) &&
+                       green(i, j) < std::min(green(a, b), green(c, d)) - 20;
+            };
+            flat += same_wall(i - 1, j) && same_wall(i + 1, j);
+            streaks += is_darker(i - 1, j, i + 1, j) || is_darker(i, j - 1, i, j + 1);
+        }
+    }
+    EXPECT_GT(flat, 5000);
+    EXPECT_EQ(streaks, 0);
+}
+
 class SmoothPreset : public testing::TestWithParam<std::string> {};
 
 TEST_P(SmoothPreset, agrees_with_dense_sampling) {
