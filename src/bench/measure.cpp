@@ -5,12 +5,11 @@
 #include <utility>
 
 #include "bench/interleave.h"
+#include "bench/judge.h"
 #include "bench/kept_program.h"
 #include "bench/plain.h"
 #include "bench/plain_parts.h"
 #include "bench/statistics.h"
-#include "oracle/marked_picture.h"
-#include "oracle/metrics.h"
 #include "render/depth_texture.h"
 #include "shader/assembly.h"
 
@@ -23,33 +22,6 @@ constexpr shader::Outputs counted{
 
 /// What the seconds of a program say.
 enum class Part { yardstick, whole, geometry, normal, shading };
-
-oracle::Shot shot(const image::Image<float, 4>& geometry, const image::Image<float, 4>& normal) {
-    oracle::Shot shot;
-    shot.depth = image::Grey(geometry.width, geometry.height);
-    shot.normal = image::Vectors(geometry.width, geometry.height);
-    for (std::size_t i = 0; i < shot.depth.values.size(); ++i) {
-        shot.depth.values[i] = geometry.values[4 * i];
-        std::copy_n(&normal.values[4 * i], 3, &shot.normal.values[3 * i]);
-        const auto status = static_cast<shader::Status>(geometry.values[4 * i + 2]);
-        shot.gave_up.push_back(status == shader::Status::unresolved);
-    }
-    return shot;
-}
-
-Errors errors(const oracle::Metrics& m) {
-    return {m.compared,
-            m.undecided,
-            m.fragile,
-            m.missed,
-            m.phantom,
-            m.moved,
-            m.depth_error.median,
-            m.depth_error.percentile_99,
-            m.depth_error.largest,
-            m.normal_error.median,
-            m.normal_error.percentile_99};
-}
 
 /// Something that is drawn once a round.
 struct Timed {
@@ -102,7 +74,7 @@ private:
                              const shader::ProgramSource& counting);
     base::Status count(const shader::ProgramSource& source, std::size_t first_entry);
     void count_pixels(Entry& entry);
-    base::Status judge(Entry& entry);
+    base::Status judge_entry(Entry& entry);
     base::Result<image::Grey> told_depth();
     double add_timed(Part part, std::size_t entry, std::size_t program,
                      const scene::Document& document);
@@ -274,7 +246,7 @@ base::Status Measurement::count(const shader::ProgramSource& source, std::size_t
         count_pixels(entry);
         if (!reference_ || entry.tracer == limit_name) continue;
         timed_draw(judged_, *kept, frame(moved, judged_));
-        if (auto judged = judge(entry); !judged) return judged;
+        if (auto judged = judge_entry(entry); !judged) return judged;
     }
     return base::Done{};
 }
@@ -294,13 +266,12 @@ void Measurement::count_pixels(Entry& entry) {
 }
 
 /// Holds what the canvas shows against the reference.
-base::Status Measurement::judge(Entry& entry) {
-    const auto metrics =
-        oracle::compare(*reference_, shot(judged_.read_geometry(), judged_.read_normal()));
-    if (!metrics) return metrics.problems();
-    entry.errors = errors(*metrics);
+base::Status Measurement::judge_entry(Entry& entry) {
+    auto judged = judge(*reference_, judged_.read_geometry(), judged_.read_normal());
+    if (!judged) return judged.problems();
+    entry.errors = judged->errors;
     if (entry.move.name.empty()) {
-        pictures.push_back({entry.tracer, oracle::marked_picture(*reference_, *metrics)});
+        pictures.push_back({entry.tracer, std::move(judged->picture)});
     }
     return base::Done{};
 }

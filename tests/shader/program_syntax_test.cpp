@@ -54,6 +54,15 @@ std::vector<Features> all_features() {
                 }
             }
         }
+        Features measured;
+        measured.tracer = tracer.name;
+        measured.show_normals = true;
+        list.push_back(measured);
+        measured = {};
+        measured.tracer = tracer.name;
+        measured.told_depth = true;
+        measured.outputs = {true, true, true, true};
+        list.push_back(measured);
     }
     return list;
 }
