@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "compile/parameter_values.h"
 #include "eval/field_value.h"
+#include "eval/tape.h"
+#include "field/parts.h"
 #include "oracle/ray.h"
 
 namespace oracle {
@@ -26,14 +30,30 @@ std::uint8_t encoded(double light) {
     return static_cast<std::uint8_t>(std::lround(255 * s));
 }
 
+/// An object: its leaf, and the cells that it is in, outermost first.
+struct Object {
+    field::FieldId leaf{};
+    std::vector<field::FieldId> cells;
+};
+
+/// All objects below a node, from left to right.
+void collect(const field::Field& field, field::FieldId id, std::vector<field::FieldId> cells,
+             std::vector<Object>& list) {
+    const std::vector<field::FieldId> below = field::children(field[id]);
+    if (below.empty()) list.push_back({id, cells});
+    if (std::holds_alternative<field::Cells>(field[id])) cells.push_back(id);
+    for (const field::FieldId child : below) collect(field, child, cells, list);
+}
+
 /// The light that a pixel shows: shaders/light/ in double precision, without shadows.
 class Shading {
 public:
     Shading(const compile::Formula& formula, const scene::Document& document)
         : field_(formula.field),
           document_(document),
-          leaves_(field::leaves(field_, field_.root)),
-          parameters_(compile::parameter_values(field_, document)) {}
+          parameters_(compile::parameter_values(field_, document)) {
+        collect(field_, field_.root, {}, objects_);
+    }
 
     glm::dvec3 background(double height) const {
         const scene::Environment& around = document_.environment;
@@ -45,10 +65,7 @@ public:
         const std::size_t object = static_cast<std::size_t>(std::max(pixel.object, 0));
         const scene::Material& material = document_.materials[object % document_.materials.size()];
         const glm::dvec3 colour =
-            object < leaves_.size()
-                ? eval::colour(field_, leaves_[object], ray.at(pixel.depth()), parameters_)
-                      .value_or(material.colour)
-                : material.colour;
+            own_colour(object, ray.at(pixel.depth())).value_or(material.colour);
         const scene::Environment& around = document_.environment;
         const glm::dvec3& n = pixel.normal;
         glm::dvec3 light = glm::mix(around.ground, around.sky, 0.5 + 0.5 * n.y) * colour;
@@ -66,9 +83,31 @@ public:
     }
 
 private:
+    glm::dvec3 values(const std::array<graph::NodeId, 3>& roots, glm::dvec3 point) const {
+        const auto at = [&](std::size_t i) {
+            return eval::evaluate(field_.graph, roots[i], point, parameters_);
+        };
+        return {at(0), at(1), at(2)};
+    }
+    /// That of the outermost cells that have one, else that of the leaf.
+    std::optional<glm::dvec3> own_colour(std::size_t number, glm::dvec3 point) const {
+        if (number >= objects_.size()) return std::nullopt;
+        for (const field::FieldId id : objects_[number].cells) {
+            const auto& cells = std::get<field::Cells>(field_[id]);
+            // fmax: what is negative or undefined counts as 0.
+            if (cells.colour) {
+                const glm::dvec3 colour = values(*cells.colour, point);
+                return glm::dvec3(std::fmax(colour.x, 0), std::fmax(colour.y, 0),
+                                  std::fmax(colour.z, 0));
+            }
+            point = values(cells.point, point);
+        }
+        return eval::colour(field_, objects_[number].leaf, point, parameters_);
+    }
+
     const field::Field& field_;
     const scene::Document& document_;
-    std::vector<field::FieldId> leaves_;
+    std::vector<Object> objects_;
     std::vector<double> parameters_;
 };
 
