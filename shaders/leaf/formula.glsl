@@ -3,10 +3,12 @@
 Answer formula_answer(real f, real3 g, real3 d, real3 bounds, int object) {
     if (isnan(f)) return answer_undefined(object);
     real v = abs(f);
-    real norm = length(g);
     real rate = dot(g, d);
-    // Where f is flat and not 0, nothing says how far the surface is.
-    real estimate = v > 0.0 ? (norm > 0.0 ? min(v / norm, zs_far) : zs_far) : 0.0;
+    // By the gradient over f, whose square neither overflows nor vanishes where that of a large or small
+    // gradient does. Where f is flat, or so large that the gradient may have overflowed, nothing says
+    // how far the surface is.
+    real estimate = v < zs_far ? min(1.0 / length(g / v), zs_far) : zs_far;
+    if (v == 0.0) estimate = 0.0;
     real s = formula_step(v, f < 0.0 ? -rate : rate, estimate, bounds) / frame.march.y;
     return f < 0.0 ? Answer(-s, -estimate, f, rate, false, false, object)
                    : Answer(s, estimate, f, rate, false, false, object);

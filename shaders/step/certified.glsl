@@ -14,7 +14,8 @@ real certified_step(real v, real slope, real first, real3 bounds) {
     }
     if (bounds.z > 0.0) {
         real guess = min(0.5 * first, blind_step());
-        if (guess > s) {
+        // Where f has overflowed, s may be NaN.
+        if (!(guess <= s)) {
             s = guess;
             zs_guess = true;
         }

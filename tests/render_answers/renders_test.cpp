@@ -105,6 +105,42 @@ TEST(Settings, keep_the_depth) {
     check("no effects", settings);
 }
 
+/// Pixels of a scene that are hit in one of two ways to spell it and not in the other, or
+/// elsewhere.
+int different_pixels(const Query& a, const Query& b) {
+    const render::Still one = render(a), two = render(b);
+    int different = 0;
+    for (int j = 0; j < a.height; ++j) {
+        for (int i = 0; i < a.width; ++i) {
+            different += status(one, i, j) != status(two, i, j) ||
+                         std::abs(depth(one, i, j) - depth(two, i, j)) > 1e-3 * depth(two, i, j);
+        }
+    }
+    EXPECT_GT(count(two, shader::Status::hit), 20) << b.formula;
+    return different;
+}
+
+// The numbers that are too large or too small for single precision are f or the square of its
+// gradient.
+TEST(Overflow, makes_no_surface_and_hides_none) {
+    const scene::Camera far_off = camera({20, 20, 20}, {0, 0, 0}, 12);
+    const std::string cube = "x^20 + y^20 + z^20 = 1", sphere = "x^2 + y^2 + z^2 = 1";
+    const std::vector<std::pair<Query, Query>> cases{
+        {{cube, sphere_bounds(40), far_off}, {cube, sphere_bounds(2), far_off}},
+        {{"exp(exp(3(x^2 + y^2))) = exp(2 + z)", sphere_bounds(1.4), aside},
+         {"exp(3(x^2 + y^2)) = 2 + z", sphere_bounds(1.4), aside}},
+        {{"1e30*(x^2 + y^2 + z^2 - 1) = 0", sphere_bounds(2), aside},
+         {sphere, sphere_bounds(2), aside}},
+        {{"1e-30*(x^2 + y^2 + z^2 - 1) = 0", sphere_bounds(2), aside},
+         {sphere, sphere_bounds(2), aside}},
+    };
+    for (auto [large, plain] : cases) {
+        large.settings.epsilon = plain.settings.epsilon = 0.01;
+        large.settings.shadows = plain.settings.shadows = false;
+        EXPECT_LE(different_pixels(large, plain), 5) << large.formula;
+    }
+}
+
 TEST(Steps, leave_pixels_unresolved_only_where_they_are_few) {
     Query query = torus_query();
     EXPECT_EQ(count(render(query), shader::Status::unresolved), 0);
