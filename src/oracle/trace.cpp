@@ -35,27 +35,18 @@ base::Status check(const Query& query) {
     return base::Done{};
 }
 
-/// Calls work(number, thread's own state) for numbers below a count, on several threads; false if
-/// it was stopped.
+/// Calls work(number, thread's own state) for numbers below a count, on several threads.
 template <class MakeState, class Work>
-bool for_all(int count, int threads, const MakeState& make_state,
-             const std::function<bool(int)>& told, const Work& work) {
-    std::atomic<int> next{0}, finished{0};
-    std::atomic<bool> stopped{false};
+void for_all(int count, int threads, const MakeState& make_state, const Work& work) {
+    std::atomic<int> next{0};
     const auto run = [&] {
         auto state = make_state();
-        while (!stopped) {
-            const int number = next++;
-            if (number >= count) return;
-            work(number, state);
-            if (!told(++finished)) stopped = true;
-        }
+        for (int number = next++; number < count; number = next++) work(number, state);
     };
     std::vector<std::thread> others;
     for (int i = 1; i < std::min(threads, count); ++i) others.emplace_back(run);
     run();
     for (std::thread& other : others) other.join();
-    return !stopped;
 }
 
 int thread_count(const Query& query) {
@@ -84,19 +75,6 @@ void for_tiles(const Tile& area, int size, const Visit& visit) {
     }
 }
 
-/// Calls visit(x, y, places) for the pixels of an area within a large tile.
-template <class Visit>
-void for_pixels(PixelTracer& trace, const Tile& tile, const Tile& area, const Visit& visit) {
-    const Places around = trace.places(tile);
-    for_tiles(common(tile, area), small, [&](const Tile& part) {
-        const Places places = trace.places(part, around);
-        const Tile pixels = common(part, area);
-        for (int y = pixels.y; y < pixels.y + pixels.height; ++y) {
-            for (int x = pixels.x; x < pixels.x + pixels.width; ++x) visit(x, y, places);
-        }
-    });
-}
-
 /// A picture on its way.
 class Tracing {
 public:
@@ -115,6 +93,9 @@ public:
         reference_.pixels.resize(static_cast<std::size_t>(area.width) *
                                  static_cast<std::size_t>(area.height));
         for_tiles(area, large, [&](const Tile& tile) { tiles_.push_back(tile); });
+        for (const Tile& tile : tiles_) {
+            for_tiles(common(tile, area), small, [&](const Tile&) { ++parts_; });
+        }
     }
 
     /// False if it was given up.
@@ -146,18 +127,31 @@ public:
     }
 
 private:
+    /// Calls each(tracer, x, y, places) for all pixels; false if it was given up.
     template <class Each>
     bool pass(double from, double to, const Each& each) {
-        const int count = static_cast<int>(tiles_.size());
-        return for_all(
-            count, thread_count(query_), [&] { return PixelTracer(shape_, bounds_, pinhole_); },
-            [&](int finished) {
-                return !query_.progress || query_.progress(from + (to - from) * finished / count);
-            },
+        finished_ = 0;
+        const auto part = [&](PixelTracer& trace, const Tile& tile, const Places& around) {
+            if (stopped_) return;
+            const Places places = trace.places(tile, around);
+            const Tile pixels = common(tile, area_);
+            for (int y = pixels.y; y < pixels.y + pixels.height; ++y) {
+                for (int x = pixels.x; x < pixels.x + pixels.width; ++x) each(trace, x, y, places);
+            }
+            const double fraction = static_cast<double>(++finished_) / parts_;
+            if (query_.progress && !query_.progress(from + (to - from) * fraction)) stopped_ = true;
+        };
+        for_all(
+            static_cast<int>(tiles_.size()), thread_count(query_),
+            [&] { return PixelTracer(shape_, bounds_, pinhole_); },
             [&](int number, PixelTracer& trace) {
-                for_pixels(trace, tiles_[static_cast<std::size_t>(number)], area_,
-                           [&](int x, int y, const Places& places) { each(trace, x, y, places); });
+                if (stopped_) return;
+                const Tile& tile = tiles_[static_cast<std::size_t>(number)];
+                const Places around = trace.places(tile);
+                for_tiles(common(tile, area_), small,
+                          [&](const Tile& small_tile) { part(trace, small_tile, around); });
             });
+        return !stopped_;
     }
     Pixel& pixel(int x, int y) {
         return reference_
@@ -170,7 +164,10 @@ private:
     const Shape shape_;
     const Query& query_;
     const Tile area_;
-    std::vector<Tile> tiles_;
+    std::vector<Tile> tiles_;  ///< large ones
+    int parts_ = 0;            ///< so many small ones
+    std::atomic<int> finished_{0};
+    std::atomic<bool> stopped_{false};
     Reference reference_;
 };
 

@@ -78,7 +78,7 @@ TEST(Trace, tells_its_progress_and_can_be_given_up) {
     };
     EXPECT_EQ(problem_of(query), "the reference was given up; ask for it again");
     EXPECT_GE(calls, 5);
-    EXPECT_LE(calls, 7);
+    EXPECT_LE(calls, 6);  // the other thread may have been about to tell
 }
 
 }  // namespace
