@@ -16,14 +16,18 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
         Answer a = field(o + t * l, l);
         field_accept();
         // A sheet's f that grew up to its change of sign and falls behind it has a pole there.
-        bool pole = a.sheet && rising && a.value * a.rate < 0.0;
+        bool falls = a.value * a.rate < 0.0;
+        bool pole = a.sheet && rising && falls;
         if (a.free <= 0.0 && !pole) return 0.0;
-        rising = a.value * a.rate > 0.0;
         real h = min(a.distance, 1e6);
+        // Where f is steep without being small the surface only seems to be near: f had its maximum there,
+        // or falls, and the surface seems to be farther than before.
+        bool steep = falls && (rising || (step > 0.0 && h > before));
+        rising = a.value * a.rate > 0.0;
         real back = step > 0.0 ? (step * step + h * h - before * before) / (2.0 * step) : 0.0;
         back = clamp(back, 0.0, min(h, step));
         real nearest = sqrt(h * h - back * back);
-        if (t > back && !rising && !pole) seen = min(seen, k * nearest / (t - back));
+        if (t > back && !rising && !steep) seen = min(seen, k * nearest / (t - back));
         if (seen < 0.01) return 0.0;
         before = h;
         step = max(min(a.free, max(h, least)), least);
