@@ -20,8 +20,9 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
     Trace result = Trace(zs_unresolved, t0, -1, false, false, 0);
     field_start();
     int limit = int(frame.march.x);
-    real t = t0, before = t0;
+    real t = t0, before = t0, free = 0.0;
     int undefined_before = 0;
+    bool grazing = false;  // what is near comes closer only behind the end
     // Once for most rays; again behind a pole, or from the edge of a domain.
     for (int round = 0; round <= limit; ++round) {
         int event = zs_lost;
@@ -45,13 +46,13 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             ++result.steps;
             real epsilon = march_epsilon(t);
             before = t;
+            free = max(a.free, epsilon);
             // Near a pole the estimate is small as well, but there |f| grows.
-            if (a.free < epsilon && a.distance < epsilon && a.value * a.rate <= 0.0 &&
+            if (!grazing && a.free < epsilon && a.distance < epsilon && a.value * a.rate <= 0.0 &&
                 a.object >= 0) {
                 event = zs_near;
                 break;
             }
-            real free = max(a.free, epsilon);
             t += stride(free, epsilon);
             // A proven step past the end proves a miss; after a guess the end is looked at too.
             if (t > t1) {
@@ -68,12 +69,21 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             result.status = zs_miss;
             return result;
         }
-        if (event == zs_lost) return result;
+        if (event == zs_lost) {
+            if (grazing) result.status = zs_miss;
+            return result;
+        }
         bool at_start = event == zs_crossed && result.steps == 0;
         Settled settled = settle(o, d, event, before, t, undefined_before, at_start);
         t = settled.t;
+        if (settled.surface && t > t1) {
+            // There may be another surface on the way.
+            grazing = true;
+            t = min(before + free, t1);
+            continue;
+        }
         if (settled.surface) {
-            result.status = t > t1 ? zs_miss : zs_hit;
+            result.status = zs_hit;
             result.t = t;
             result.object = settled.answer.object;
             result.turned = settled.answer.turned;

@@ -182,6 +182,16 @@ TEST(Operations, of_cells_let_no_ray_pass) {
     expect_no_surface_passed("sphere(1.5) \\ repeat(sphere(0.4), (1, 1, 1))");
 }
 
+TEST(Operations, that_a_ray_grazes_hide_nothing_behind_them) {
+    // Coming closer to what is grazed must not lead out of the bounds, past what is behind.
+    expect_no_surface_passed(
+        "repeat((sphere(0.41) \\ box(0.58, 0.14, 0.37)), (1.47, 1.26, 0.8581387783575487))");
+    expect_no_surface_passed(
+        "smooth_union_exp(translate(repeat((x^2 + 2.48y^2 + 1.75z^4 <= 0.11), (1.3, 1, "
+        "0.9672532774476925)), (-0.36, -0.49, 0.6)), repeat_polar(shell(torus(0.79, 0.29), 0.15), "
+        "5), 13.01)");
+}
+
 /// Random trees of all operations. What Cells cannot be mapped by stays out: that is heuristic.
 class RandomFormula {
 public:
