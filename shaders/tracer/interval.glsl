@@ -37,6 +37,8 @@ Settled settle_part(real3 o, real3 d, real2 part, real t0, bool smallest) {
     bool at_start = first.free <= 0.0 && part.x <= t0;
     // Behind a pole the distance grows while |f| falls.
     bool pole = second.distance > first.distance && abs(second.value) < abs(first.value);
+    // Exactly on a sheet no side can be told.
+    bool near = smallest || first.value == 0.0;
     int event = zs_lost;
     if (first.free <= 0.0) {
         // Rounding: inside, and so far nothing was.
@@ -44,7 +46,7 @@ Settled settle_part(real3 o, real3 d, real2 part, real t0, bool smallest) {
         event = zs_crossed;
     } else if (second.free <= 0.0) {
         event = zs_crossed;
-    } else if (smallest && !pole && first.distance < march_epsilon(part.x) &&
+    } else if (near && !pole && first.distance < march_epsilon(part.x) &&
                first.value * first.rate <= 0.0 && first.object >= 0) {
         part.y = part.x;
         event = zs_near;
