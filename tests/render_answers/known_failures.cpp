@@ -19,8 +19,7 @@ constexpr auto known_failures = std::to_array<KnownFailure>({
     // Roots that are flat in single precision.
     {"fourfold_plane", 352},
     {"maximum_touches", 7428},
-    // Poles, jumps and edges of the domain.
-    {"root_ends_at_its_edge", 30},
+    // Poles and jumps.
     {"quotient_of_sheets", 20},
     {"wall_at_a_jump", 625},
     {"wall_at_a_sign", 5344},
