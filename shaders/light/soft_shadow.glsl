@@ -10,10 +10,10 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
     real least = 2e-3 * length(frame.bounds_half.xyz);
     real before = 0.0, step = 0.0;
     bool rising = false;
-    field_start();
+    field_start(o, l, t0, t1);
     int steps = min(int(frame.march.x), 128);
     for (int i = 0; i < steps; ++i) {
-        Answer a = field(o + t * l, l);
+        Answer a = field(o, l, t);
         field_accept();
         // A sheet's f that grew up to its change of sign and falls behind it has a pole there.
         bool falls = a.value * a.rate < 0.0;

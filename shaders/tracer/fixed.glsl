@@ -7,9 +7,9 @@ void stride_start() {}
 bool stride_has_parted(Answer a, real way) { return false; }
 real stride_back() { return 0.0; }
 
-Answer stride_answer(real3 p, real3 d) {
+Answer stride_answer(real3 o, real3 d, real t) {
     zs_sign_only = true;
-    Answer a = field(p, d);
+    Answer a = field(o, d, t);
     zs_sign_only = false;
     zs_guess = true;
     // Nothing counts as near.

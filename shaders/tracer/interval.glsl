@@ -26,10 +26,10 @@ bool part_is_smallest(real2 part, int level) {
 // What the field at both ends of a part says that may hold a surface; the surface, if there is one.
 Settled settle_part(real3 o, real3 d, real2 part, real t0, bool smallest) {
     Answer first, second;
-    field_start();
+    field_forget();
     // A bound that compilers cannot see keeps the field in one place.
     for (int i = 0; i < min(int(frame.march.x) + 1, 2); ++i) {
-        second = field(o + (i == 0 ? part.x : part.y) * d, d);
+        second = field(o, d, i == 0 ? part.x : part.y);
         if (i > 0) break;
         first = second;
         field_accept();
@@ -57,6 +57,7 @@ Settled settle_part(real3 o, real3 d, real2 part, real t0, bool smallest) {
 
 Trace trace(real3 o, real3 d, real t0, real t1) {
     Trace result = Trace(zs_unresolved, t0, -1, false, false, 0);
+    field_start(o, d, t0, t1);
     int limit = int(frame.march.x);
     int level = 0, number = 0;
     // Once for most rays; again behind what was no surface.

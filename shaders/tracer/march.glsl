@@ -8,7 +8,7 @@
 // Before a ray, and before it goes on behind a pole.
 void stride_start();
 // The answer at the end of a stride.
-Answer stride_answer(real3 p, real3 d);
+Answer stride_answer(real3 o, real3 d, real t);
 // Whether the stride `way` that led to this answer may have passed a surface; then the ray goes by
 // stride_back() from where it began.
 bool stride_has_parted(Answer a, real way);
@@ -18,7 +18,7 @@ real stride(real free, real epsilon);
 
 Trace trace(real3 o, real3 d, real t0, real t1) {
     Trace result = Trace(zs_unresolved, t0, -1, false, false, 0);
-    field_start();
+    field_start(o, d, t0, t1);
     int limit = int(frame.march.x);
     real t = t0, before = t0, free = 0.0;
     int undefined_before = 0;
@@ -28,7 +28,7 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         int event = zs_lost;
         stride_start();
         while (result.steps < limit) {
-            Answer a = stride_answer(o + t * d, d);
+            Answer a = stride_answer(o, d, t);
             if (stride_has_parted(a, t - before)) {
                 ++result.steps;
                 t = before + stride_back();

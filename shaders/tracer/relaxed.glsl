@@ -13,7 +13,7 @@ void stride_start() {
     zs_is_relaxed = false;
 }
 
-Answer stride_answer(real3 p, real3 d) { return field(p, d); }
+Answer stride_answer(real3 o, real3 d, real t) { return field(o, d, t); }
 
 // Whether the stride that led here may have passed a surface.
 bool stride_has_parted(Answer a, real way) {

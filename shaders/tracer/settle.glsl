@@ -30,7 +30,7 @@ Settled settle(real3 o, real3 d, int event, real lo, real hi, int undefined_befo
     real t = event == zs_entered ? 0.5 * (lo + hi) : lo;
     Answer a;
     for (int i = 0; i < min(int(frame.march.x) + 96, 160); ++i) {
-        a = field(o + t * d, d);
+        a = field(o, d, t);
         if (at_start) return Settled(true, t, a);
         if (event == zs_passing) {
             field_accept();

@@ -120,7 +120,7 @@ void write_enclosures(FieldCode& code, bool count_evaluations) {
         "{}{}{}    return {};\n"
         "}}\n",
         count_evaluations ? "    ++zs_evaluations;\n" : "",
-        tree.asks_points() ? "    real3 p = o + t.x * d;\n    zs_point = p;\n    field_start();\n"
+        tree.asks_points() ? "    real3 p = o + t.x * d;\n    zs_point = p;\n    field_forget();\n"
                            : "",
         tree.body(), root);
 }

@@ -74,8 +74,8 @@ void write_cells(FieldCode& code);
 /// value changes; blend_gradient_i, if no iteration is below.
 void write_blends(FieldCode& code);
 
-/// field(p, d), field_start and field_accept. With intervals also part_k(p, d), the answers of
-/// blends and cells with none above them, from left to right.
+/// field(o, d, t), field_start, field_accept and field_forget. With intervals also part_k(p, d),
+/// the answers of blends and cells with none above them, from left to right.
 void write_tree(FieldCode& code, bool count_evaluations);
 
 /// enclose(o, d, t): see field_glsl.h. What has no intervals (iterations, and blends and cells with

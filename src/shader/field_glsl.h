@@ -31,9 +31,10 @@ struct FieldGlsl {
 
 /// Writes, for the tree and each leaf (object 0, 1, ... from left to right):
 ///   zs_has_edges                    whether a leaf may be undefined somewhere
-///   void field_start()              before a ray begins
-///   Answer field(p, d)              the answer of the whole tree
-///   void field_accept()             after the ray has gone on to the point last asked for
+///   void field_start(o, d, t0, t1)  before a ray, of which only [t0, t1] will be asked for
+///   Answer field(o, d, t)           the answer of the whole tree at o + t d, along the unit vector
+///   d void field_accept()             after the ray has gone on to the point last asked for void
+///   field_forget()             before the ray goes on elsewhere: as if none had been asked for
 ///   real3 object_gradient(i, p, h)  the gradient of a leaf, by differences over h if it is an
 ///                                   iteration, or of the blend that it is part of
 ///   real object_distance(i, p)      the value of an iteration or blend; only if there are any

@@ -152,7 +152,10 @@ void write_sides(FieldCode& code, const std::vector<int>& watched_cells) {
         code.out.code += fmt::format("real3 here_{0} = real3(0.0), before_{0} = here_{0};\n", cell);
         accept += fmt::format("    before_{0} = here_{0};\n", cell);
     }
-    code.out.code += fmt::format("void field_start() {{\n{}}}\n", start);
+    code.out.code += fmt::format(
+        "void field_forget() {{\n{}}}\n"
+        "void field_start(real3 o, real3 d, real t0, real t1) {{\n    field_forget();\n}}\n",
+        start);
     code.out.code += fmt::format("void field_accept() {{\n{}}}\n", accept);
 }
 
@@ -164,7 +167,8 @@ void write_tree(FieldCode& code, bool count_evaluations) {
     write_sides(code, tree.watched_cells());
     code.out.code += tree.parts();
     code.out.code += fmt::format(
-        "{}Answer field(real3 p, real3 d) {{\n"
+        "{}Answer field(real3 o, real3 d, real t) {{\n"
+        "    real3 p = o + t * d;\n"
         "    zs_undefined = 0;\n"
         "    zs_guess = false;\n"
         "    zs_point = p;\n"
