@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "analysis/formulas.h"
+#include "analysis/rounding_error.h"
 #include "contract/arguments.h"
 #include "contract/glsl_values.h"
 #include "contract/running_error.h"
@@ -29,6 +30,7 @@ struct Tally {
     int decided = 0;    ///< with a bound that leaves neither NaN nor infinity open
     int undefined = 0;  ///< that must be NaN
     int sharp = 0;      ///< with a bound of at most a thousandth of the value
+    int bounded = 0;    ///< with a finite bound of the rounding error
 
     void count(const Interval& bound) {
         ++values;
@@ -54,6 +56,20 @@ std::vector<Arguments> random_places(std::size_t count, Random& random) {
     return list;
 }
 
+/// The value of a formula at a point with the bound of its rounding error.
+analysis::Rounded rounded_value(analysis::RoundingErrors& errors, const Arguments& place) {
+    std::array<analysis::Rounded, graph::max_arity> variables;
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+        variables[i].exact = static_cast<double>(place[i]);
+    }
+    return errors(variables)[0];
+}
+
+bool is_within(const analysis::Rounded& bound, float found) {
+    return bound.exact.is_empty() || !std::isfinite(bound.error) ||
+           (found >= bound.exact.lo - bound.error && found <= bound.exact.hi + bound.error);
+}
+
 /// Draws up to four formulas of a graph and compares them at random places.
 void compare(const render::Context& context, const graph::Graph& graph,
              std::span<const graph::NodeId> roots, Random& random, Tally& tally) {
@@ -64,9 +80,17 @@ void compare(const render::Context& context, const graph::Graph& graph,
     ASSERT_EQ(found.size(), places.size());
     int wrong = 0;
     for (std::size_t k = 0; k < roots.size(); ++k) {
+        const eval::Tape tape = eval::make_tape(graph, std::array{roots[k]});
+        analysis::RoundingErrors errors(tape, {});
         for (std::size_t i = 0; i < places.size(); ++i) {
             const Interval bound = gpu_enclosure(graph, roots[k], places[i]);
             tally.count(bound);
+            const analysis::Rounded rounded = rounded_value(errors, places[i]);
+            tally.bounded += std::isfinite(rounded.error);
+            EXPECT_TRUE(is_within(rounded, found[i][k]) || ++wrong > 3) << fmt::format(
+                "{:.9g} in GLSL is farther from [{:.17g}, {:.17g}] than {:.3g}, seed {}\n{}",
+                found[i][k], rounded.exact.lo, rounded.exact.hi, rounded.error, seed,
+                graph::print(graph, std::array{roots[k]}));
             if (agrees(bound, found[i][k]) || ++wrong > 3) continue;
             ADD_FAILURE() << fmt::format(
                 "{:.9g} in GLSL is not in [{:.9g}, {:.9g}]{} at {:.9g}, {:.9g}, {:.9g}, {:.9g}, "
@@ -79,8 +103,10 @@ void compare(const render::Context& context, const graph::Graph& graph,
 }
 
 void print_tally(const char* name, const Tally& tally) {
-    fmt::print("{}: {} values, {} decided, {} of them within a thousandth, {} undefined\n", name,
-               tally.values, tally.decided, tally.sharp, tally.undefined);
+    fmt::print(
+        "{}: {} values, {} decided, {} of them within a thousandth, {} undefined, {} with a bound "
+        "of the error\n",
+        name, tally.values, tally.decided, tally.sharp, tally.undefined, tally.bounded);
 }
 
 class Formulas : public testing::Test {
@@ -111,6 +137,7 @@ TEST_F(Formulas, random_ones_are_within_their_running_error_bounds) {
     EXPECT_GT(tally.decided, tally.values / 3);
     EXPECT_GT(tally.sharp, tally.decided / 2);
     EXPECT_GT(tally.undefined, tally.values / 100);
+    EXPECT_GT(tally.bounded, tally.values / 3);
 }
 
 TEST_F(Formulas, of_known_surfaces_are_within_their_running_error_bounds) {
@@ -129,6 +156,7 @@ TEST_F(Formulas, of_known_surfaces_are_within_their_running_error_bounds) {
     print_tally("known surfaces", tally);
     EXPECT_EQ(tally.values, 4 * static_cast<int>(places_a_formula));
     EXPECT_GT(tally.sharp, tally.values * 9 / 10);
+    EXPECT_GT(tally.bounded, tally.values * 9 / 10);
 }
 
 }  // namespace

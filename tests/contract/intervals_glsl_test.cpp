@@ -122,7 +122,7 @@ class IntervalsInGlsl : public testing::TestWithParam<Op> {};
 
 TEST_P(IntervalsInGlsl, enclose_every_value) {
     const Op op = GetParam();
-    const Row* row = find_row(op);
+    const Row* row = analysis::accuracy_of(op);
     ASSERT_NE(row, nullptr);
     const auto context = render::open_osmesa();
     ASSERT_TRUE(context) << context.problems()[0].message;

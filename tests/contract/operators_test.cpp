@@ -66,7 +66,7 @@ double error_of(const Row& row, const Arguments& a, double expected, float found
     if (!is_promised(row, a)) return 0;
     if (std::abs(rounded) > 0.99F * limits::max() && std::isinf(found)) return 0;
     const double error = std::abs(found - expected);
-    return error == 0 ? 0 : error / size_of(row.unit, a, expected);
+    return error == 0 ? 0 : error / analysis::size_of(row.unit, a[1], expected);
 }
 
 /// As above, taking denormal arguments either way.
@@ -109,8 +109,8 @@ std::vector<Arguments> places(const Row& row) {
 class Operators : public testing::TestWithParam<Op> {
 protected:
     void SetUp() override {
-        row = find_row(GetParam());
-        ASSERT_NE(row, nullptr) << "operator_table.cpp has no row for "
+        row = analysis::accuracy_of(GetParam());
+        ASSERT_NE(row, nullptr) << "operator_accuracy.cpp has no row for "
                                 << graph::facts(GetParam()).name;
     }
 
@@ -156,8 +156,9 @@ INSTANTIATE_TEST_SUITE_P(All, Operators, testing::ValuesIn(all_operators()), [](
 
 TEST(OperatorTable, has_one_row_for_each_operator) {
     const std::vector<Op> operators = all_operators();
-    ASSERT_EQ(operator_table().size(), operators.size());
-    for (const Op op : operators) EXPECT_NE(find_row(op), nullptr) << graph::facts(op).name;
+    ASSERT_EQ(analysis::operator_accuracies().size(), operators.size());
+    for (const Op op : operators)
+        EXPECT_NE(analysis::accuracy_of(op), nullptr) << graph::facts(op).name;
 }
 
 /// The document's rows look like "| `sin` | arguments | unit | found | promised |".
@@ -165,7 +166,7 @@ TEST(OperatorTable, agrees_with_the_document) {
     const auto document =
         base::read_text(std::string(ZEROSET_SOURCE_DIR) + "/docs/numerics.md", 1 << 20);
     ASSERT_TRUE(document) << document.problems()[0].message;
-    for (const Row& row : operator_table()) {
+    for (const Row& row : analysis::operator_accuracies()) {
         const std::size_t begin =
             document->find(fmt::format("\n| `{}` |", graph::facts(row.op).name));
         ASSERT_NE(begin, std::string::npos) << "no row for " << graph::facts(row.op).name;

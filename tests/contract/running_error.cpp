@@ -38,25 +38,6 @@ Interval in_single_precision(Interval a) {
     return a;
 }
 
-/// The largest size of the unit for values in the interval.
-double largest_size(Unit unit, const Box& box, const Interval& value) {
-    const double size = magnitude(value);
-    if (unit != Unit::power) return size_of(unit, {}, size);
-    // s (1 + |b| + |log s|) grows with s, but for the bump of s |log s|, which is at most 1 / e.
-    const double steep = size > 0 ? size * std::abs(std::log(size)) : 0;
-    return size * (1 + magnitude(box[1])) + std::max(steep, std::min(size, 1.0));
-}
-
-bool is_promised(const Row& row, const Box& box) {
-    double most = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(graph::facts(row.op).arity); ++i) {
-        if (!row.ranges[i].contains(box[i].lo) || !row.ranges[i].contains(box[i].hi)) return false;
-        most = std::max(most, mignitude(box[i]));
-    }
-    const bool is_length = row.op == Op::hypot || row.op == Op::hypot3;
-    return !is_length || most >= least_length;
-}
-
 Interval result_of(Op op, const Box& box, bool is_square) {
     const Interval exact =
         is_square ? square(box[0]) : eval::apply<Interval>(op, box[0], box[1], box[2], box[3]);
@@ -66,9 +47,10 @@ Interval result_of(Op op, const Box& box, bool is_square) {
         const bool from_nothing = box[0].is_empty() || box[1].is_empty();
         return may_be_a_pole && !from_nothing ? unknown() : exact;
     }
-    const Row& row = *find_row(op);
-    if (!is_promised(row, box)) return unknown();
-    return in_single_precision(widened(exact, row.bound * largest_size(row.unit, box, exact)));
+    const Row& row = *analysis::accuracy_of(op);
+    if (!analysis::is_promised(row, box)) return unknown();
+    return in_single_precision(
+        widened(exact, row.bound * analysis::largest_size(row.unit, box[1], exact)));
 }
 
 Interval constant_of(double number) {
