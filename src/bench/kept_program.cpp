@@ -16,17 +16,17 @@ double seconds_since(Clock::time_point start) {
 }  // namespace
 
 base::Result<KeptProgram> keep(render::Context& context, const shader::ProgramSource& source,
-                               std::vector<float> field_values) {
+                               shader::FieldNumbers numbers) {
     const Clock::time_point start = Clock::now();
     auto program = render::Program::link(context.gl(), source);
     if (!program) return program.problems();
-    return KeptProgram{std::move(*program), std::move(field_values), seconds_since(start)};
+    return KeptProgram{std::move(*program), std::move(numbers), seconds_since(start)};
 }
 
 double timed_draw(render::Canvas& canvas, const KeptProgram& kept, const render::Frame& frame) {
     canvas.finish();
     const Clock::time_point start = Clock::now();
-    canvas.draw(kept.program, frame, kept.field_values, {0, 0, canvas.width(), canvas.height()});
+    canvas.draw(kept.program, frame, kept.numbers, {0, 0, canvas.width(), canvas.height()});
     canvas.finish();
     return seconds_since(start);
 }

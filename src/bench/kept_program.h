@@ -8,19 +8,20 @@
 #include "render/canvas.h"
 #include "render/context.h"
 #include "render/program.h"
+#include "shader/field_numbers.h"
 
 namespace bench {
 
 /// With the numbers that it is fed with besides the frame.
 struct KeptProgram {
     render::Program program;
-    std::vector<float> field_values;
+    shader::FieldNumbers numbers;
     double link_seconds = 0;
 };
 
 /// Error: the driver rejects the program.
 base::Result<KeptProgram> keep(render::Context& context, const shader::ProgramSource& source,
-                               std::vector<float> field_values);
+                               shader::FieldNumbers numbers);
 
 /// Draws the whole canvas; the seconds from the draw until everything is there.
 double timed_draw(render::Canvas& canvas, const KeptProgram& kept, const render::Frame& frame);

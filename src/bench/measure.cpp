@@ -126,7 +126,7 @@ render::Frame Measurement::frame(const scene::Document& document,
 
 base::Result<KeptProgram> Measurement::keep_source(const shader::ProgramSource& source) {
     return keep(context_, source,
-                compile::field_values(subject_.formula, source, subject_.document));
+                compile::field_numbers(subject_.formula, source, subject_.document));
 }
 
 base::Result<std::size_t> Measurement::add_program(const shader::ProgramSource& source) {

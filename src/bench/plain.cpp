@@ -140,7 +140,7 @@ std::vector<std::string> plain_names(const Subject& subject) {
     shader::ProgramSource bound;
     bound.field_values = {
         {shader::FieldValue::What::inverse_lipschitz, subject.formula.field.root, {}}};
-    if (compile::field_values(subject.formula, bound, subject.document)[0] > 0) {
+    if (compile::field_numbers(subject.formula, bound, subject.document).values[0] > 0) {
         names.insert(names.begin(), std::string(plain_sphere_name));
     }
     return names;

@@ -52,14 +52,14 @@ struct Run {
         const auto start = std::chrono::steady_clock::now();
         const shader::ProgramSource source =
             compile::program_source(input.formula, input.document, outputs);
-        const std::vector<float> values =
-            compile::field_values(input.formula, source, input.document);
+        const shader::FieldNumbers numbers =
+            compile::field_numbers(input.formula, source, input.document);
         analyse_seconds = seconds_since(start);
         const scene::Document& document = input.document;
         const auto frame_of = [&document](const render::View& view) {
             return render::frame(document, *document.camera, view);
         };
-        return render::draw_still(context, source, values, frame_of, options.view(), outputs,
+        return render::draw_still(context, source, numbers, frame_of, options.view(), outputs,
                                   repeat);
     }
 

@@ -80,20 +80,20 @@ shader::ProgramSource program_source(const Formula& formula, const scene::Docume
     return shader::program_source(formula.field, features(document, outputs));
 }
 
-std::vector<float> field_values(const Formula& formula, const shader::ProgramSource& source,
-                                const scene::Document& document) {
+shader::FieldNumbers field_numbers(const Formula& formula, const shader::ProgramSource& source,
+                                   const scene::Document& document) {
     const std::vector<double> parameters = parameter_values(formula.field, document);
     std::vector<double> expressions(source.expressions.roots.size());
     std::vector<double> registers;
     eval::evaluate<double>(source.expressions, {}, parameters, expressions, registers);
     FieldBounds bounds(formula.field, formula.tapes, region_of(document.bounds), parameters);
-    std::vector<float> values;
+    shader::FieldNumbers numbers;
     std::size_t next = 0;
     for (const FieldValue& value : source.field_values) {
         const bool is_expression = value.what == FieldValue::What::expression;
-        values.push_back(number(value, bounds, is_expression ? expressions[next++] : 0));
+        numbers.values.push_back(number(value, bounds, is_expression ? expressions[next++] : 0));
     }
-    return values;
+    return numbers;
 }
 
 }  // namespace compile

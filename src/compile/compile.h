@@ -13,6 +13,7 @@
 #include "eval/tape.h"
 #include "field/field.h"
 #include "scene/document.h"
+#include "shader/field_numbers.h"
 #include "shader/program_source.h"
 
 namespace compile {
@@ -40,7 +41,7 @@ shader::ProgramSource program_source(const Formula& formula, const scene::Docume
 
 /// The numbers of one frame that come from the formula: hoisted expressions and bounds of
 /// derivatives, in the order of ProgramSource::field_values. Runs the analyses; milliseconds.
-std::vector<float> field_values(const Formula& formula, const shader::ProgramSource& source,
-                                const scene::Document& document);
+shader::FieldNumbers field_numbers(const Formula& formula, const shader::ProgramSource& source,
+                                   const scene::Document& document);
 
 }  // namespace compile

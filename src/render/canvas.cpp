@@ -151,13 +151,13 @@ int Canvas::width() const { return width_; }
 int Canvas::height() const { return height_; }
 GLuint Canvas::picture_texture() const { return picture_; }
 
-void Canvas::draw(const Program& program, const Frame& frame, std::span<const float> field_values,
+void Canvas::draw(const Program& program, const Frame& frame, const shader::FieldNumbers& numbers,
                   const Tile& tile) {
     const Gl& gl = *gl_;
     // New storage each time: tiles that are still being drawn keep the old.
     gl.NamedBufferData(frame_buffer_object_, sizeof frame, &frame, GL_STREAM_DRAW);
     // The block holds whole vec4 and at least one of them.
-    std::vector<float> values(field_values.begin(), field_values.end());
+    std::vector<float> values = numbers.values;
     values.resize(std::max<std::size_t>(4, (values.size() + 3) / 4 * 4));
     gl.NamedBufferData(values_buffer_object_,
                        static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data(),

@@ -2,13 +2,12 @@
 // Textures that a program draws into, and reading them back.
 #pragma once
 
-#include <span>
-
 #include "base/result.h"
 #include "image/image.h"
 #include "render/frame.h"
 #include "render/gl.h"
 #include "render/program.h"
+#include "shader/field_numbers.h"
 
 namespace render {
 
@@ -37,7 +36,7 @@ public:
     /// Draws one tile of the frame with this program; asynchronous. The canvas's pixel (0, 0) is
     /// the full picture's pixel frame.picture.zw. Leaves the default frame buffer bound and the
     /// scissor test off.
-    void draw(const Program& program, const Frame& frame, std::span<const float> field_values,
+    void draw(const Program& program, const Frame& frame, const shader::FieldNumbers& numbers,
               const Tile& tile);
     /// Waits until everything drawn is there.
     void finish();

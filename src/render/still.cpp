@@ -82,12 +82,12 @@ View view_of(const View& view, const Tile& part) {
 
 /// Draws a part and waits for it; the seconds that it took.
 double draw_part(Canvas& canvas, const Program& program, const Frame& frame,
-                 std::span<const float> field_values, const Tile& part, BandHeight& band) {
+                 const shader::FieldNumbers& numbers, const Tile& part, BandHeight& band) {
     const Clock::time_point start = Clock::now();
     for (int y = 0; y < part.height;) {
         const Clock::time_point band_start = Clock::now();
         const int rows = std::min(band.rows(), part.height - y);
-        canvas.draw(program, frame, field_values, {0, y, part.width, rows});
+        canvas.draw(program, frame, numbers, {0, y, part.width, rows});
         canvas.finish();
         band.adapt(seconds_since(band_start));
         y += rows;
@@ -121,7 +121,7 @@ Still empty_still(const View& view, const shader::Outputs& outputs) {
 }
 
 base::Result<Still> draw(Context& context, const shader::ProgramSource& source,
-                         std::span<const float> field_values,
+                         const shader::FieldNumbers& numbers,
                          const std::function<Frame(const View&)>& frame_of, const View& view,
                          const shader::Outputs& outputs, int repeat) {
     const Gl& gl = context.gl();
@@ -140,14 +140,14 @@ base::Result<Still> draw(Context& context, const shader::ProgramSource& source,
     const std::vector<Tile> pieces = parts(view, *canvas);
     for (const Tile& part : pieces) {
         still.first_frame_seconds +=
-            draw_part(*canvas, *program, frame_of(view_of(view, part)), field_values, part, band);
+            draw_part(*canvas, *program, frame_of(view_of(view, part)), numbers, part, band);
         read_part(still, *canvas, part);
     }
     for (int i = 0; i < repeat; ++i) {
         double seconds = 0;
         for (const Tile& part : pieces)
-            seconds += draw_part(*canvas, *program, frame_of(view_of(view, part)), field_values,
-                                 part, band);
+            seconds +=
+                draw_part(*canvas, *program, frame_of(view_of(view, part)), numbers, part, band);
         still.frame_seconds.push_back(seconds);
     }
     if (const GLenum problem = gl.GetError(); problem != GL_NO_ERROR)
@@ -161,13 +161,13 @@ base::Result<Still> draw(Context& context, const shader::ProgramSource& source,
 }  // namespace
 
 base::Result<Still> draw_still(Context& context, const shader::ProgramSource& source,
-                               std::span<const float> field_values,
+                               const shader::FieldNumbers& numbers,
                                const std::function<Frame(const View&)>& frame_of, const View& view,
                                const shader::Outputs& outputs, int repeat) {
-    assert(field_values.size() == source.field_values.size());
+    assert(numbers.values.size() == source.field_values.size());
     if (auto fits = check_view(view); !fits) return fits.problems();
     try {
-        return draw(context, source, field_values, frame_of, view, outputs, repeat);
+        return draw(context, source, numbers, frame_of, view, outputs, repeat);
     } catch (const std::bad_alloc&) {
         return base::error(
             fmt::format("there is not enough memory for {}x{} pixels; draw the picture in regions",

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "base/result.h"
@@ -33,7 +32,7 @@ inline constexpr long long most_pixels = 16384LL * 16384LL;
 /// smaller region. The context must be current. Errors: a program that does not link, sizes out of
 /// range, a region outside of the picture, no memory, a driver that gives up.
 base::Result<Still> draw_still(Context& context, const shader::ProgramSource& source,
-                               std::span<const float> field_values,
+                               const shader::FieldNumbers& numbers,
                                const std::function<Frame(const View&)>& frame_of, const View& view,
                                const shader::Outputs& outputs, int repeat = 0);
 

@@ -18,9 +18,10 @@ namespace {
 
 /// Links, and draws a few pixels: drivers translate a program when it is used for the first time,
 /// and that must not happen on the window's thread.
-base::Result<std::unique_ptr<render::Program>> link_and_warm(
-    const render::Gl& gl, const shader::ProgramSource& source, const scene::Document& document,
-    const std::vector<float>& field_values) {
+base::Result<std::unique_ptr<render::Program>> link_and_warm(const render::Gl& gl,
+                                                             const shader::ProgramSource& source,
+                                                             const scene::Document& document,
+                                                             const shader::FieldNumbers& numbers) {
     constexpr int size = 32;
     auto linked = render::Program::link(gl, source);
     if (!linked) return linked.problems();
@@ -29,7 +30,7 @@ base::Result<std::unique_ptr<render::Program>> link_and_warm(
     if (!canvas) return canvas.problems();
     const render::Frame frame =
         render::frame(document, scene::camera_of(document, 1), render::whole(size, size));
-    canvas->draw(*program, frame, field_values, {0, 0, size, size});
+    canvas->draw(*program, frame, numbers, {0, 0, size, size});
     canvas->finish();
     return program;
 }
@@ -38,8 +39,8 @@ base::Result<std::unique_ptr<render::Program>> link_and_warm(
 void merge(std::optional<BuiltScene>& old, BuiltScene scene) {
     if (old && !scene.program) scene.program = std::move(old->program);
     if (old && !scene.parameters) scene.parameters = std::move(old->parameters);
-    if (old && !scene.field_values) {
-        scene.field_values = std::move(old->field_values);
+    if (old && !scene.field_numbers) {
+        scene.field_numbers = std::move(old->field_numbers);
         scene.bounds = old->bounds;
     }
     old = std::move(scene);
@@ -51,8 +52,8 @@ CompilerThread::CompilerThread(render::Context& context, std::function<void()> w
     : context_(context),
       wake_(std::move(wake)),
       builder_([this](const shader::ProgramSource& source, const scene::Document& document,
-                      const std::vector<float>& field_values) {
-          return link_and_warm(context_.gl(), source, document, field_values);
+                      const shader::FieldNumbers& numbers) {
+          return link_and_warm(context_.gl(), source, document, numbers);
       }),
       thread_([this] { run(); }) {}
 
@@ -195,11 +196,12 @@ base::Status CompilerThread::draw(const StillRequest& still) {
         constexpr shader::Outputs outputs{.picture = true};
         const shader::ProgramSource source =
             compile::program_source(*formula, still.document, outputs);
-        const std::vector<float> values = compile::field_values(*formula, source, still.document);
+        const shader::FieldNumbers numbers =
+            compile::field_numbers(*formula, source, still.document);
         const auto frame_of = [&](const render::View& view) {
             return render::frame(still.document, still.camera, view);
         };
-        auto drawn = render::draw_still(context_, source, values, frame_of,
+        auto drawn = render::draw_still(context_, source, numbers, frame_of,
                                         render::whole(still.width, still.height), outputs);
         if (!drawn) return drawn.problems();
         return image::write_png(still.file, drawn->picture);

@@ -98,8 +98,8 @@ void EventLoop::take_answers() {
         compilation.diagnostics = std::move(scene->diagnostics);
         compilation.failures = std::move(scene->failures);
         if (scene->parameters) compilation.parameters = std::move(*scene->parameters);
-        if (scene->field_values) {
-            compilation.field_values = std::move(*scene->field_values);
+        if (scene->field_numbers) {
+            compilation.field_numbers = std::move(*scene->field_numbers);
             compilation.bounds = scene->bounds;
             compilation.drawable = true;
         }
@@ -166,7 +166,7 @@ void EventLoop::ask_for_picture() {
     if (!compilation.drawable) return;
     WantedPicture wanted{.document = workspace_.shown(),
                          .camera = workspace_.camera(),
-                         .field_values = compilation.field_values,
+                         .field_numbers = compilation.field_numbers,
                          .width = workspace_.area.width,
                          .height = workspace_.area.height};
     // The values hold for these bounds; newer ones must wait for the compiler.

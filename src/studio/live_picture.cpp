@@ -39,7 +39,7 @@ void LivePicture::want(const WantedPicture& wanted, double now) {
     const render::Frame frame =
         render::frame(wanted.document, wanted.camera, render::whole(wanted.width, wanted.height));
     const bool unchanged = wanted_frame_ && same(frame, *wanted_frame_) &&
-                           wanted.field_values == wanted_->field_values;
+                           wanted.field_numbers == wanted_->field_numbers;
     if (unchanged) return;
     wanted_ = wanted;
     wanted_frame_ = frame;
@@ -131,7 +131,7 @@ base::Status LivePicture::prepare(const DrawingStep& step) {
 base::Status LivePicture::draw(const DrawingStep& step) {
     std::optional<render::Canvas>& canvas = step.full() ? full_ : next_coarse_;
     if (!canvas || !drawn_frame_) return base::error("the live picture has no canvas");
-    canvas->draw(*program_, *drawn_frame_, drawn_->field_values, step.tile);
+    canvas->draw(*program_, *drawn_frame_, drawn_->field_numbers, step.tile);
     canvas->finish();
     if (!step.full()) {
         if (step.last) {

@@ -12,6 +12,7 @@
 #include "render/canvas.h"
 #include "render/program.h"
 #include "scene/document.h"
+#include "shader/field_numbers.h"
 #include "studio/picture_scheduler.h"
 #include "studio/picture_statistics.h"
 
@@ -22,7 +23,7 @@ namespace studio {
 struct WantedPicture {
     scene::Document document;
     scene::Camera camera;
-    std::vector<float> field_values;
+    shader::FieldNumbers field_numbers;
     int width = 0, height = 0;
 };
 

@@ -40,7 +40,7 @@ std::optional<BuiltScene> SceneBuilder::build_throwing(const scene::Document& do
     built.diagnostics = diagnostics_;
     if (!make_drawable(document, built, superseded)) return std::nullopt;
     if (drawn_) {
-        built.field_values = compile::field_values(drawn_->formula, drawn_->source, document);
+        built.field_numbers = compile::field_numbers(drawn_->formula, drawn_->source, document);
         built.bounds = document.bounds;
     }
     return built;
@@ -79,7 +79,7 @@ bool SceneBuilder::make_drawable(const scene::Document& document, BuiltScene& bu
     }
     if (another) {
         if (superseded()) return false;
-        auto program = link_(source, document, compile::field_values(*formula, source, document));
+        auto program = link_(source, document, compile::field_numbers(*formula, source, document));
         if (!program) {
             rejected_ = source.fragment;
             rejection_ = program.problems();

@@ -28,7 +28,7 @@ struct BuiltScene {
     std::unique_ptr<render::Program> program;
     /// The numbers of the newest program, and the bounds that they hold for; none if nothing can be
     /// drawn.
-    std::optional<std::vector<float>> field_values;
+    std::optional<shader::FieldNumbers> field_numbers;
     scene::Bounds bounds;
 };
 
@@ -38,7 +38,7 @@ class SceneBuilder {
 public:
     using Link = std::function<base::Result<std::unique_ptr<render::Program>>(
         const shader::ProgramSource& source, const scene::Document& document,
-        const std::vector<float>& field_values)>;
+        const shader::FieldNumbers& numbers)>;
 
     explicit SceneBuilder(Link link) : link_(std::move(link)) {}
 

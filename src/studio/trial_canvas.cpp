@@ -79,7 +79,8 @@ base::Status TrialCanvas::draw(const TrialRequest& trial, const std::function<bo
         compile::program_source(*trial.formula, trial.document, trial_outputs);
     const auto linked = program(source);
     if (!linked) return linked.problems();
-    const std::vector<float> values = compile::field_values(*trial.formula, source, trial.document);
+    const shader::FieldNumbers numbers =
+        compile::field_numbers(*trial.formula, source, trial.document);
     const render::Frame frame =
         render::frame(trial.document, scene::camera_of(trial.document, double(width) / height),
                       render::whole(width, height));
@@ -88,7 +89,7 @@ base::Status TrialCanvas::draw(const TrialRequest& trial, const std::function<bo
     for (int y = 0; y < height; y += rows) {
         answer.given_up = superseded();
         if (answer.given_up) return base::Done{};
-        canvas_->draw(**linked, frame, values, {0, y, width, std::min(rows, height - y)});
+        canvas_->draw(**linked, frame, numbers, {0, y, width, std::min(rows, height - y)});
         canvas_->finish();
     }
     answer.seconds = seconds_since(start);

@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "field/field.h"
 #include "scene/document.h"
+#include "shader/field_numbers.h"
 #include "studio/accuracy.h"
 #include "studio/dialog.h"
 #include "studio/history.h"
@@ -36,7 +37,7 @@ struct Compilation {
     base::Diagnostics diagnostics;
     base::Diagnostics failures;
     std::vector<field::Parameter> parameters;  ///< of the last formula that was understood
-    std::vector<float> field_values;
+    shader::FieldNumbers field_numbers;
     scene::Bounds bounds;   ///< what the values hold for
     bool drawable = false;  ///< there is a program
     bool busy = false;

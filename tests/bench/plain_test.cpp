@@ -38,7 +38,7 @@ protected:
             return render::frame(subject.document, *subject.document.camera, view);
         };
         auto still = render::draw_still(
-            *context, source, compile::field_values(subject.formula, source, subject.document),
+            *context, source, compile::field_numbers(subject.formula, source, subject.document),
             frame_of, render::whole(width, height), outputs);
         if (still) return std::move(*still);
         ADD_FAILURE() << subject.name << ": " << still.problems()[0].message;

@@ -22,7 +22,7 @@ struct Frame {
     explicit Frame(std::string_view text)
         : formula(understood(text)), source(program_source(formula, document, {})) {}
 
-    std::vector<float> values() const { return field_values(formula, source, document); }
+    std::vector<float> values() const { return field_numbers(formula, source, document).values; }
     /// The value of this kind of the first leaf that has one.
     float value(FieldValue::What what) const {
         const auto found = std::ranges::find(source.field_values, what, &FieldValue::what);

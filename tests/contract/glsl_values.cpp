@@ -87,14 +87,14 @@ std::vector<std::array<float, 4>> glsl_values(const render::Context& context,
     if (!program || !canvas) return {};
 
     std::vector<std::array<float, 4>> results;
-    std::vector<float> numbers(places_per_draw * graph::max_arity);
+    std::vector<float> values(places_per_draw * graph::max_arity);
     while (!places.empty()) {
         const auto some = places.first(std::min(places.size(), places_per_draw));
         places = places.subspan(some.size());
         for (std::size_t i = 0; i < some.size(); ++i) {
-            std::ranges::copy(some[i], numbers.begin() + static_cast<std::ptrdiff_t>(4 * i));
+            std::ranges::copy(some[i], values.begin() + static_cast<std::ptrdiff_t>(4 * i));
         }
-        canvas->draw(*program, {}, numbers, {0, 0, side, side});
+        canvas->draw(*program, {}, {values}, {0, 0, side, side});
         const auto drawn = canvas->read_geometry();
         for (std::size_t i = 0; i < some.size(); ++i) {
             const int k = static_cast<int>(i);

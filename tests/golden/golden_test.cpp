@@ -53,7 +53,7 @@ base::Result<image::Picture> draw(const fs::path& path) {
     const shader::ProgramSource source = compile::program_source(*formula, document, outputs);
     const scene::Camera camera = scene::camera_of(document, static_cast<double>(width) / height);
     auto still = render::draw_still(
-        **context, source, compile::field_values(*formula, source, document),
+        **context, source, compile::field_numbers(*formula, source, document),
         [&](const render::View& view) { return render::frame(document, camera, view); },
         render::whole(width, height), outputs);
     if (!still) return still.problems();

@@ -48,13 +48,13 @@ render::Still render(const scene::Document& document, const render::View& view,
         return {};
     }
     const shader::ProgramSource source = compile::program_source(*formula, document, outputs);
-    const std::vector<float> values = compile::field_values(*formula, source, document);
+    const shader::FieldNumbers numbers = compile::field_numbers(*formula, source, document);
     const double aspect = static_cast<double>(view.width) / view.height;
     const scene::Camera camera = scene::camera_of(document, aspect);
     const auto frame_of = [&](const render::View& part) {
         return render::frame(document, camera, part);
     };
-    auto still = render::draw_still(**context, source, values, frame_of, view, outputs);
+    auto still = render::draw_still(**context, source, numbers, frame_of, view, outputs);
     if (!still) {
         ADD_FAILURE() << document.formula << ": " << problems(still.problems());
         return {};

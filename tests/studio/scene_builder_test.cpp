@@ -27,12 +27,13 @@ struct FakeDriver {
     bool refuses = false;
 
     SceneBuilder::Link link() {
-        return [this](const shader::ProgramSource&, const scene::Document&,
-                      const std::vector<float>&) -> base::Result<std::unique_ptr<render::Program>> {
-            ++links;
-            if (refuses) return base::error("the driver says no");
-            return std::unique_ptr<render::Program>();
-        };
+        return
+            [this](const shader::ProgramSource&, const scene::Document&,
+                   const shader::FieldNumbers&) -> base::Result<std::unique_ptr<render::Program>> {
+                ++links;
+                if (refuses) return base::error("the driver says no");
+                return std::unique_ptr<render::Program>();
+            };
     }
 };
 
@@ -41,13 +42,13 @@ TEST(SceneBuilder, links_once_for_any_values_of_parameters) {
     SceneBuilder builder(driver.link());
     scene::Document document = with_formula("param a = 1 in [0, 2]\na*x^2 + y^2 + z^2 = 1");
     auto first = builder.build(document, never);
-    ASSERT_TRUE(first && first->field_values && first->parameters);
+    ASSERT_TRUE(first && first->field_numbers && first->parameters);
     EXPECT_EQ(first->parameters->at(0).name, "a");
     document.parameters["a"] = 1.5;
     auto second = builder.build(document, never);
-    ASSERT_TRUE(second && second->field_values);
+    ASSERT_TRUE(second && second->field_numbers);
     EXPECT_EQ(driver.links, 1);
-    EXPECT_NE(*first->field_values, *second->field_values);
+    EXPECT_NE(*first->field_numbers, *second->field_numbers);
 }
 
 TEST(SceneBuilder, keeps_the_last_good_scene_while_the_text_is_broken) {
@@ -61,12 +62,12 @@ TEST(SceneBuilder, keeps_the_last_good_scene_while_the_text_is_broken) {
     EXPECT_TRUE(base::has_errors(broken->diagnostics));
     EXPECT_EQ(broken->text, document.formula);
     EXPECT_FALSE(broken->parameters);
-    EXPECT_EQ(broken->field_values, good->field_values);
+    EXPECT_EQ(broken->field_numbers, good->field_numbers);
     // And its parameters still move it.
     document.parameters["a"] = 0.5;
     const auto moved = builder.build(document, never);
     ASSERT_TRUE(moved);
-    EXPECT_NE(moved->field_values, good->field_values);
+    EXPECT_NE(moved->field_numbers, good->field_numbers);
     EXPECT_EQ(driver.links, 1);
 }
 
@@ -111,7 +112,7 @@ TEST(SceneBuilder, shows_what_the_driver_says_and_does_not_ask_it_again) {
         ASSERT_TRUE(built);
         ASSERT_EQ(built->failures.size(), 1u);
         EXPECT_EQ(built->failures[0].message, "the driver says no");
-        EXPECT_EQ(built->field_values.has_value(), good->field_values.has_value());
+        EXPECT_EQ(built->field_numbers.has_value(), good->field_numbers.has_value());
     }
     EXPECT_EQ(driver.links, 2);
 }
@@ -129,7 +130,7 @@ TEST(SceneBuilder, leaves_a_superseded_document_and_comes_back_to_it) {
 TEST(SceneBuilder, reports_an_exception_as_a_failure) {
     SceneBuilder builder(
         [](const shader::ProgramSource&, const scene::Document&,
-           const std::vector<float>&) -> base::Result<std::unique_ptr<render::Program>> {
+           const shader::FieldNumbers&) -> base::Result<std::unique_ptr<render::Program>> {
             throw std::runtime_error("out of luck");
         });
     const auto built = builder.build(with_formula("x^2 + y^2 + z^2 = 1"), never);

@@ -54,12 +54,12 @@ oracle::Shot render(const Scene& scene, const Variant& variant, int width, int h
     if (variant.epsilon) document.settings.epsilon = *variant.epsilon;
     const shader::Outputs outputs{.picture = false, .geometry = true, .normal = true};
     const shader::ProgramSource source = compile::program_source(scene.formula, document, outputs);
-    const std::vector<float> values = compile::field_values(scene.formula, source, document);
+    const shader::FieldNumbers numbers = compile::field_numbers(scene.formula, source, document);
     const scene::Camera camera = scene::camera_of(document, static_cast<double>(width) / height);
     const auto frame_of = [&](const render::View& view) {
         return render::frame(document, camera, view);
     };
-    const auto still = render::draw_still(*context(), source, values, frame_of,
+    const auto still = render::draw_still(*context(), source, numbers, frame_of,
                                           render::whole(width, height), outputs);
     if (!still) {
         ADD_FAILURE() << scene.name << " by " << variant.name << ": " << text_of(still.problems());
