@@ -16,15 +16,19 @@ layout(std140, binding = 0) uniform Frame {
     vec4 material_shininess[16]; // exponent of the highlight
 } frame;
 
-// The unit direction of the ray through the centre of this fragment's pixel. Counted in whole
-// pixels of the full picture, so that a part is drawn exactly as the whole would be.
-real3 pixel_direction() {
-    vec2 pixel = floor(gl_FragCoord.xy) + frame.picture.zw;
-    real x = (2.0 * pixel.x + 1.0) / frame.picture.x - 1.0;
-    real y = 1.0 - (2.0 * pixel.y + 1.0) / frame.picture.y;
+// The unit direction of the ray through a place of the full picture, in pixels from its left and top.
+real3 picture_direction(vec2 place) {
+    real x = 2.0 * place.x / frame.picture.x - 1.0;
+    real y = 1.0 - 2.0 * place.y / frame.picture.y;
     real k = frame.eye.w;
     return normalize(frame.forward.xyz + (k * x * frame.picture.x / frame.picture.y) * frame.right.xyz +
                      (k * y) * frame.up.xyz);
+}
+
+// Through the centre of this fragment's pixel. Counted in whole pixels of the full picture, so that a
+// part is drawn exactly as the whole would be.
+real3 pixel_direction() {
+    return picture_direction(floor(gl_FragCoord.xy) + frame.picture.zw + 0.5);
 }
 
 // The width of a pixel at a distance along the ray.

@@ -95,6 +95,7 @@ base::Result<Canvas> Canvas::create(const Gl& gl, int width, int height,
     gl.CreateVertexArrays(1, &canvas.vertex_array_);
     gl.CreateBuffers(1, &canvas.frame_buffer_object_);
     gl.CreateBuffers(1, &canvas.values_buffer_object_);
+    canvas.tile_parts_.emplace(gl, width, height);
 
     std::array<GLenum, 3> draw_buffers{GL_NONE, GL_NONE, GL_NONE};
     const auto attach = [&](GLuint location, GLenum format) {
@@ -135,6 +136,7 @@ Canvas& Canvas::operator=(Canvas&& other) noexcept {
     std::swap(normal_, other.normal_);
     std::swap(frame_buffer_object_, other.frame_buffer_object_);
     std::swap(values_buffer_object_, other.values_buffer_object_);
+    std::swap(tile_parts_, other.tile_parts_);
     return *this;
 }
 
@@ -166,11 +168,12 @@ void Canvas::draw(const Program& program, const Frame& frame, const shader::Fiel
     gl.BindBufferBase(GL_UNIFORM_BUFFER, values_binding, values_buffer_object_);
 
     set_state(gl);
+    gl.BindVertexArray(vertex_array_);
+    if (program.prepass_name() != 0) draw_tile_parts(program, frame, tile);
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
     gl.Viewport(0, 0, width_, height_);
     gl.Scissor(tile.x, tile.y, tile.width, tile.height);
     gl.UseProgram(program.name());
-    gl.BindVertexArray(vertex_array_);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
 
     // Leave nothing behind that a user interface would trip over.
@@ -178,6 +181,14 @@ void Canvas::draw(const Program& program, const Frame& frame, const shader::Fiel
     gl.UseProgram(0);
     gl.Disable(GL_SCISSOR_TEST);
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+}
+
+void Canvas::draw_tile_parts(const Program& program, const Frame& frame, const Tile& tile) {
+    const auto x = static_cast<int>(frame.picture.z), y = static_cast<int>(frame.picture.w);
+    tile_parts_->target(TileParts::texels(tile, x, y));
+    gl_->UseProgram(program.prepass_name());
+    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    tile_parts_->bind();
 }
 
 void Canvas::finish() { gl_->Finish(); }

@@ -2,19 +2,17 @@
 // Textures that a program draws into, and reading them back.
 #pragma once
 
+#include <optional>
+
 #include "base/result.h"
 #include "image/image.h"
 #include "render/frame.h"
 #include "render/gl.h"
 #include "render/program.h"
+#include "render/tile_parts.h"
 #include "shader/field_numbers.h"
 
 namespace render {
-
-/// A part of a canvas, in pixels from its left and top.
-struct Tile {
-    int x = 0, y = 0, width = 0, height = 0;
-};
 
 /// A frame buffer with one texture per output. Row 0 of the textures is the top of the picture.
 /// Owns GL objects: its context must be current when it is made, used and destroyed.
@@ -33,7 +31,8 @@ public:
     /// The texture of the picture, for showing it.
     GLuint picture_texture() const;
 
-    /// Draws one tile of the frame with this program; asynchronous. The canvas's pixel (0, 0) is
+    /// Draws one tile of the frame with this program, after its pre-pass for that tile, if it has
+    /// one; asynchronous. The canvas's pixel (0, 0) is
     /// the full picture's pixel frame.picture.zw. Leaves the default frame buffer bound and the
     /// scissor test off.
     void draw(const Program& program, const Frame& frame, const shader::FieldNumbers& numbers,
@@ -50,12 +49,14 @@ public:
 
 private:
     Canvas() = default;
+    void draw_tile_parts(const Program& program, const Frame& frame, const Tile& tile);
 
     const Gl* gl_ = nullptr;
     int width_ = 0, height_ = 0;
     GLuint framebuffer_ = 0, vertex_array_ = 0;
     GLuint picture_ = 0, geometry_ = 0, normal_ = 0;
     GLuint frame_buffer_object_ = 0, values_buffer_object_ = 0;
+    std::optional<TileParts> tile_parts_;  ///< always there in a canvas that can be drawn into
 };
 
 }  // namespace render

@@ -56,37 +56,47 @@ base::Status compile(const Gl& gl, const Shader& shader, std::string_view stage,
                                    annotate(shader_log(gl, shader.name()), source)));
 }
 
+/// Links into a program object that exists; `stage` names the fragment shader in errors.
+base::Status link(const Gl& gl, GLuint program, const Shader& vertex, std::string_view stage,
+                  const std::string& source) {
+    const Shader fragment(gl, GL_FRAGMENT_SHADER);
+    if (auto done = compile(gl, fragment, stage, source); !done) return done.problems();
+    for (const Shader* shader : {&vertex, &fragment}) gl.AttachShader(program, shader->name());
+    gl.LinkProgram(program);
+    for (const Shader* shader : {&vertex, &fragment}) gl.DetachShader(program, shader->name());
+    GLint linked = GL_FALSE;
+    gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked) return base::Done{};
+    return base::error(fmt::format("the OpenGL driver cannot link the program:\n{}",
+                                   annotate(program_log(gl, program), source)));
+}
+
 }  // namespace
 
 base::Result<Program> Program::link(const Gl& gl, const shader::ProgramSource& source) {
     const Shader vertex(gl, GL_VERTEX_SHADER);
-    const Shader fragment(gl, GL_FRAGMENT_SHADER);
     if (auto done = compile(gl, vertex, "vertex", source.vertex); !done) return done.problems();
-    if (auto done = compile(gl, fragment, "fragment", source.fragment); !done)
-        return done.problems();
-
-    Program program(gl, gl.CreateProgram());
-    for (const Shader* shader : {&vertex, &fragment})
-        gl.AttachShader(program.name_, shader->name());
-    gl.LinkProgram(program.name_);
-    for (const Shader* shader : {&vertex, &fragment})
-        gl.DetachShader(program.name_, shader->name());
-    GLint linked = GL_FALSE;
-    gl.GetProgramiv(program.name_, GL_LINK_STATUS, &linked);
-    if (!linked)
-        return base::error(fmt::format("the OpenGL driver cannot link the program:\n{}",
-                                       annotate(program_log(gl, program.name_), source.fragment)));
+    Program program(gl);
+    program.name_ = gl.CreateProgram();
+    auto done = render::link(gl, program.name_, vertex, "fragment", source.fragment);
+    if (done && !source.prepass.empty()) {
+        program.prepass_name_ = gl.CreateProgram();
+        done = render::link(gl, program.prepass_name_, vertex, "pre-pass", source.prepass);
+    }
+    if (!done) return done.problems();
     return program;
 }
 
 Program& Program::operator=(Program&& other) noexcept {
     std::swap(gl_, other.gl_);
     std::swap(name_, other.name_);
+    std::swap(prepass_name_, other.prepass_name_);
     return *this;
 }
 
 Program::~Program() {
-    if (name_ != 0) gl_->DeleteProgram(name_);
+    for (const GLuint name : {name_, prepass_name_})
+        if (name != 0) gl_->DeleteProgram(name);
 }
 
 }  // namespace render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A linked program that draws one scene.
+// The linked programs that draw one scene.
 #pragma once
 
 #include <span>
@@ -11,24 +11,29 @@
 
 namespace render {
 
-/// Owns a program object. The functions must outlive it, and its context must be current (or one
-/// that shares with it) when it is destroyed.
+/// Owns a program object, and one for the pre-pass if there is one. The functions must outlive it,
+/// and its context must be current (or one that shares with it) when it is destroyed.
 class Program {
 public:
-    /// Compiles and links; an error holds the driver's log with the lines it speaks of.
+    /// Compiles and links both; an error holds the driver's log with the lines it speaks of.
     static base::Result<Program> link(const Gl& gl, const shader::ProgramSource& source);
 
-    Program(Program&& other) noexcept : gl_(other.gl_), name_(std::exchange(other.name_, 0)) {}
+    Program(Program&& other) noexcept
+        : gl_(other.gl_),
+          name_(std::exchange(other.name_, 0)),
+          prepass_name_(std::exchange(other.prepass_name_, 0)) {}
     Program& operator=(Program&& other) noexcept;
     ~Program();
 
     GLuint name() const { return name_; }
+    /// 0: there is no pre-pass.
+    GLuint prepass_name() const { return prepass_name_; }
 
 private:
-    Program(const Gl& gl, GLuint name) : gl_(&gl), name_(name) {}
+    explicit Program(const Gl& gl) : gl_(&gl) {}
 
     const Gl* gl_;
-    GLuint name_;
+    GLuint name_ = 0, prepass_name_ = 0;
 };
 
 }  // namespace render

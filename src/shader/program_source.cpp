@@ -59,7 +59,12 @@ const Tracer& tracer_of(std::string_view name) {
     return found == table.end() ? table[0] : *found;
 }
 
-std::string outputs_code(const Features& features) {
+/// The part of shaders/ that finds the part of a tile's rays; empty: there is no pre-pass.
+std::string_view prepass_part(const Features& features) {
+    return features.whole_tiles ? "prepass/whole.glsl" : "";
+}
+
+std::string outputs_code(const Features& features, bool prepass) {
     const Outputs& outputs = features.outputs;
     std::string declarations, body;
     if (outputs.picture) {
@@ -79,7 +84,10 @@ std::string outputs_code(const Features& features) {
                             outputs.count ? "float(primary_evaluations)" : "0.0");
     }
     return declarations + "void write_pixel(Trace hit, real3 o, real3 d, real3 n) {\n" +
-           (outputs.count ? "    int primary_evaluations = zs_evaluations;\n" : "") + body + "}\n";
+           (!outputs.count ? ""
+            : prepass      ? "    int primary_evaluations = zs_evaluations + tile_evaluations();\n"
+                           : "    int primary_evaluations = zs_evaluations;\n") +
+           body + "}\n";
 }
 
 void add_picture_parts(Assembly& assembly, const Features& features, bool own_colours) {
@@ -95,18 +103,9 @@ void add_picture_parts(Assembly& assembly, const Features& features, bool own_co
     assembly.add_part("output/shaded.glsl");
 }
 
-}  // namespace
-
-std::vector<TracerName> tracers() {
-    std::vector<TracerName> names;
-    for (const Tracer& tracer : table) names.push_back(tracer.name);
-    return names;
-}
-
-ProgramSource program_source(const field::Field& field, const Features& features) {
-    const Tracer& tracer = tracer_of(features.tracer);
-    FieldGlsl generated = field_glsl(field, features.outputs.count, tracer.demands);
-    Assembly assembly;
+/// Numbers, the field's functions, and the bounds: what every program of a field begins with.
+void add_field(Assembly& assembly, const FieldGlsl& generated, const Tracer& tracer,
+               const Features& features) {
     assembly.add_code("#version 450 core\n");
     assembly.add_part("common/real.glsl");
     assembly.add_part("common/frame.glsl");
@@ -128,16 +127,47 @@ ProgramSource program_source(const field::Field& field, const Features& features
     assembly.add_part(features.bounds_sphere ? "region/sphere.glsl"
                       : features.bounds_box  ? "region/box.glsl"
                                              : "region/none.glsl");
+}
+
+std::string prepass_text(const FieldGlsl& generated, const Tracer& tracer,
+                         const Features& features) {
+    Assembly assembly;
+    add_field(assembly, generated, tracer, features);
+    assembly.add_part(prepass_part(features));
+    assembly.add_code(
+        fmt::format("layout(location = 0) out vec4 tile_out;\n"
+                    "void write_tile(real2 part) {{ tile_out = vec4(part, {}, 0.0); }}\n",
+                    features.outputs.count ? "float(zs_evaluations)" : "0.0"));
+    assembly.add_part("prepass/main.glsl");
+    return assembly.text();
+}
+
+}  // namespace
+
+std::vector<TracerName> tracers() {
+    std::vector<TracerName> names;
+    for (const Tracer& tracer : table) names.push_back(tracer.name);
+    return names;
+}
+
+ProgramSource program_source(const field::Field& field, const Features& features) {
+    const Tracer& tracer = tracer_of(features.tracer);
+    FieldGlsl generated = field_glsl(field, features.outputs.count, tracer.demands);
+    const bool prepass = !prepass_part(features).empty();
+    Assembly assembly;
+    add_field(assembly, generated, tracer, features);
+    assembly.add_part(prepass ? "prepass/part.glsl" : "prepass/none.glsl");
     assembly.add_part(features.told_depth ? "tracer/told.glsl" : tracer.trace_part);
     if (generated.needs_differences) assembly.add_part("normal/differences.glsl");
     assembly.add_part("normal/normal.glsl");
     if (features.outputs.picture) add_picture_parts(assembly, features, generated.has_colours);
-    assembly.add_code(outputs_code(features));
+    assembly.add_code(outputs_code(features, prepass));
     assembly.add_part("output/fragment.glsl");
     Assembly vertex;
     vertex.add_part("output/vertex.glsl");
+    std::string before = prepass ? prepass_text(generated, tracer, features) : std::string();
     return {vertex.text(), assembly.text(), std::move(generated.values),
-            std::move(generated.expressions)};
+            std::move(generated.expressions), std::move(before)};
 }
 
 }  // namespace shader

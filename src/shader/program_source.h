@@ -40,6 +40,8 @@ struct Features {
     /// For measuring: colour the normal, or follow no ray but be told its depth (tracer/told.glsl).
     bool show_normals = false;
     bool told_depth = false;
+    /// For testing: a pre-pass that leaves all rays as they are.
+    bool whole_tiles = false;
     Outputs outputs;
 
     friend bool operator==(const Features&, const Features&) = default;
@@ -66,7 +68,20 @@ struct ProgramSource {
     std::vector<FieldValue> field_values;
     /// What does not depend on the point, computed once a frame from the parameters.
     eval::Tape expressions;
+    /// The fragment shader of the pre-pass, or empty. It writes for each tile of 8x8 pixels of the
+    /// full picture the part [t0, t1] of rays outside of which no ray of the tile meets a surface,
+    /// and how often it has asked the field (if that is counted); `fragment` reads that from
+    /// texture 1.
+    std::string prepass{};
+
+    /// Whether both are the same program; its numbers are the same then too.
+    bool same_text(const ProgramSource& other) const {
+        return fragment == other.fragment && prepass == other.prepass && vertex == other.vertex;
+    }
 };
+
+/// The pixels of a tile of the pre-pass, along each side (shaders/prepass/tile.glsl).
+inline constexpr int tile_side = 8;
 
 /// Names of tracers for Features::tracer, with a sentence each for help.
 struct TracerName {

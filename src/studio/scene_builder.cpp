@@ -71,9 +71,8 @@ bool SceneBuilder::make_drawable(const scene::Document& document, BuiltScene& bu
         built.diagnostics.insert(built.diagnostics.end(), warnings.begin(), warnings.end());
     }
     shader::ProgramSource source = compile::program_source(*formula, document, live_outputs);
-    const bool another = !drawn_ || source.fragment != drawn_->source.fragment ||
-                         source.vertex != drawn_->source.vertex;
-    if (another && source.fragment == rejected_) {
+    const bool another = !drawn_ || !source.same_text(drawn_->source);
+    if (another && rejected_ && source.same_text(*rejected_)) {
         built.failures = rejection_;
         return true;
     }
@@ -81,7 +80,7 @@ bool SceneBuilder::make_drawable(const scene::Document& document, BuiltScene& bu
         if (superseded()) return false;
         auto program = link_(source, document, compile::field_numbers(*formula, source, document));
         if (!program) {
-            rejected_ = source.fragment;
+            rejected_ = source;
             rejection_ = program.problems();
             built.failures = rejection_;
             return true;

@@ -66,10 +66,10 @@ private:
     std::optional<std::string> text_;  ///< the text that was read last
     base::Diagnostics diagnostics_;
     bool understood_ = false;
-    std::optional<compile::Formula> candidate_;  ///< good, but not drawn yet
-    std::optional<Drawn> drawn_;                 ///< what the newest program draws
-    std::string rejected_;                       ///< the GLSL that the driver did not accept
-    base::Diagnostics rejection_;                ///< and why
+    std::optional<compile::Formula> candidate_;      ///< good, but not drawn yet
+    std::optional<Drawn> drawn_;                     ///< what the newest program draws
+    std::optional<shader::ProgramSource> rejected_;  ///< what the driver did not accept
+    base::Diagnostics rejection_;                    ///< and why
 };
 
 }  // namespace studio

@@ -101,12 +101,13 @@ base::Status TrialCanvas::draw(const TrialRequest& trial, const std::function<bo
 }
 
 base::Result<const render::Program*> TrialCanvas::program(const shader::ProgramSource& source) {
-    const auto known = programs_.find(source.fragment);
+    const std::string text = source.prepass + source.fragment;
+    const auto known = programs_.find(text);
     if (known != programs_.end()) return &known->second;
     if (programs_.size() >= most_programs) programs_.clear();
     auto linked = render::Program::link(*gl_, source);
     if (!linked) return linked.problems();
-    return &programs_.emplace(source.fragment, std::move(*linked)).first->second;
+    return &programs_.emplace(text, std::move(*linked)).first->second;
 }
 
 base::Status TrialCanvas::fit(int width, int height) {

@@ -31,7 +31,7 @@ private:
 
     const render::Gl* gl_;
     std::optional<render::Canvas> canvas_;
-    std::map<std::string, render::Program> programs_;  ///< by the fragment shader's text
+    std::map<std::string, render::Program> programs_;  ///< by their texts
 };
 
 }  // namespace studio

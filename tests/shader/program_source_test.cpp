@@ -64,6 +64,21 @@ TEST(ProgramSource, has_the_grid_only_if_it_is_on) {
     EXPECT_TRUE(has(program(plain, features), "grid_line("));
 }
 
+TEST(ProgramSource, has_a_pre_pass_only_if_tiles_are_wanted) {
+    const ProgramSource without = program_source(field_of(plain), {});
+    EXPECT_EQ(without.prepass, "");
+    EXPECT_FALSE(has(without.fragment, "tile_parts"));
+    Features features;
+    features.whole_tiles = true;
+    const ProgramSource with = program_source(field_of(plain), features);
+    EXPECT_TRUE(has(with.prepass, "write_tile("));
+    EXPECT_FALSE(has(with.prepass, "shade("));
+    EXPECT_FALSE(has(with.prepass, "Trace trace("));
+    EXPECT_TRUE(has(with.fragment, "texelFetch(tile_parts"));
+    EXPECT_FALSE(with.same_text(without));
+    EXPECT_TRUE(with.same_text(program_source(field_of(plain), features)));
+}
+
 TEST(ProgramSource, shades_nothing_that_is_not_drawn) {
     Features features;
     features.grid = true;

@@ -60,6 +60,11 @@ std::vector<Features> all_features() {
         list.push_back(measured);
         measured = {};
         measured.tracer = tracer.name;
+        measured.whole_tiles = true;
+        measured.outputs = {true, true, true, true};
+        list.push_back(measured);
+        measured = {};
+        measured.tracer = tracer.name;
         measured.told_depth = true;
         measured.outputs = {true, true, true, true};
         list.push_back(measured);
@@ -71,8 +76,12 @@ std::vector<Features> all_features() {
 class Programs {
 public:
     void add(const field::Field& field, const Features& features) {
-        const std::string name = std::to_string(count_++) + ".frag";
-        std::ofstream(folder_ / name) << program_source(field, features).fragment;
+        const ProgramSource source = program_source(field, features);
+        for (const std::string& text : {source.fragment, source.prepass}) {
+            if (text.empty()) continue;
+            const std::string name = std::to_string(count_++) + ".frag";
+            std::ofstream(folder_ / name) << text;
+        }
     }
     void expect_valid() const {
         ASSERT_EQ(run("command -v glslangValidator").status, 0)

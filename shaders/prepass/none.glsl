@@ -1,0 +1,2 @@
+// Nothing is known about tiles.
+void tile_part(inout real t0, inout real t1) {}
