@@ -14,6 +14,7 @@ layout(std140, binding = 0) uniform Frame {
     vec4 light_colour[8];
     vec4 material[16];           // rgb, strength of the highlight
     vec4 material_shininess[16]; // exponent of the highlight
+    vec4 passes;                 // the first to run, pixels of what is kept per pixel along x and y
 } frame;
 
 // The unit direction of the ray through a place of the full picture, in pixels from its left and top.

@@ -15,6 +15,8 @@ namespace {
 /// Binding points of the uniform blocks, as the shaders declare them.
 constexpr GLuint frame_binding = 0;
 constexpr GLuint values_binding = 1;
+/// Texture units of what is kept: geometry, normal, light.
+constexpr GLuint kept_unit = 2;
 
 /// The most that is read back with one call: its size must fit a GLsizei.
 constexpr long long most_bytes_read = 64LL << 20;
@@ -97,7 +99,7 @@ base::Result<Canvas> Canvas::create(const Gl& gl, int width, int height,
     gl.CreateBuffers(1, &canvas.values_buffer_object_);
     canvas.tile_parts_.emplace(gl, width, height);
 
-    std::array<GLenum, 3> draw_buffers{GL_NONE, GL_NONE, GL_NONE};
+    std::array<GLenum, 4> draw_buffers{GL_NONE, GL_NONE, GL_NONE, GL_NONE};
     const auto attach = [&](GLuint location, GLenum format) {
         const GLuint texture = make_texture(gl, format, width, height);
         const GLenum attachment = GL_COLOR_ATTACHMENT0 + location;
@@ -108,6 +110,7 @@ base::Result<Canvas> Canvas::create(const Gl& gl, int width, int height,
     if (outputs.picture) canvas.picture_ = attach(0, GL_RGBA8);
     if (outputs.geometry) canvas.geometry_ = attach(1, GL_RGBA32F);
     if (outputs.normal) canvas.normal_ = attach(2, GL_RGBA32F);
+    if (outputs.light) canvas.light_ = attach(3, GL_RGBA32F);
     gl.NamedFramebufferDrawBuffers(canvas.framebuffer_, draw_buffers.size(), draw_buffers.data());
 
     const GLenum problem = gl.GetError();
@@ -134,6 +137,7 @@ Canvas& Canvas::operator=(Canvas&& other) noexcept {
     std::swap(picture_, other.picture_);
     std::swap(geometry_, other.geometry_);
     std::swap(normal_, other.normal_);
+    std::swap(light_, other.light_);
     std::swap(frame_buffer_object_, other.frame_buffer_object_);
     std::swap(values_buffer_object_, other.values_buffer_object_);
     std::swap(tile_parts_, other.tile_parts_);
@@ -142,7 +146,8 @@ Canvas& Canvas::operator=(Canvas&& other) noexcept {
 
 Canvas::~Canvas() {
     if (!gl_) return;
-    for (GLuint* texture : {&picture_, &geometry_, &normal_}) gl_->DeleteTextures(1, texture);
+    for (GLuint* texture : {&picture_, &geometry_, &normal_, &light_})
+        gl_->DeleteTextures(1, texture);
     for (GLuint* buffer : {&frame_buffer_object_, &values_buffer_object_})
         gl_->DeleteBuffers(1, buffer);
     gl_->DeleteVertexArrays(1, &vertex_array_);
@@ -155,7 +160,15 @@ GLuint Canvas::picture_texture() const { return picture_; }
 
 void Canvas::draw(const Program& program, const Frame& frame, const shader::FieldNumbers& numbers,
                   const Tile& tile) {
+    draw_from(Pass::geometry, *this, program, frame, numbers, tile);
+}
+
+void Canvas::draw_from(Pass first, const Canvas& kept, const Program& program, const Frame& asked,
+                       const shader::FieldNumbers& numbers, const Tile& tile) {
     const Gl& gl = *gl_;
+    Frame frame = asked;
+    frame.passes = glm::vec4(static_cast<float>(first), static_cast<float>(kept.width_) / width_,
+                             static_cast<float>(kept.height_) / height_, 0);
     // New storage each time: tiles that are still being drawn keep the old.
     gl.NamedBufferData(frame_buffer_object_, sizeof frame, &frame, GL_STREAM_DRAW);
     // The block holds whole vec4 and at least one of them.
@@ -169,7 +182,13 @@ void Canvas::draw(const Program& program, const Frame& frame, const shader::Fiel
 
     set_state(gl);
     gl.BindVertexArray(vertex_array_);
-    if (program.prepass_name() != 0) draw_tile_parts(program, frame, tile);
+    if (program.prepass_name() != 0 && first == Pass::geometry)
+        draw_tile_parts(program, frame, tile);
+    const GLuint textures[] = {kept.geometry_, kept.normal_, kept.light_};
+    for (GLuint i = 0; i < std::size(textures); ++i) gl.BindTextureUnit(kept_unit + i, textures[i]);
+    // A pixel may read its own texels of the target before it writes them, but not what is still
+    // being written.
+    gl.TextureBarrier();
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
     gl.Viewport(0, 0, width_, height_);
     gl.Scissor(tile.x, tile.y, tile.width, tile.height);

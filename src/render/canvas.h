@@ -8,6 +8,7 @@
 #include "image/image.h"
 #include "render/frame.h"
 #include "render/gl.h"
+#include "render/passes.h"
 #include "render/program.h"
 #include "render/tile_parts.h"
 #include "shader/field_numbers.h"
@@ -18,7 +19,7 @@ namespace render {
 /// Owns GL objects: its context must be current when it is made, used and destroyed.
 class Canvas {
 public:
-    /// RGBA8 for the picture, RGBA32F for geometry and normal, as far as they are asked for.
+    /// RGBA8 for the picture, RGBA32F for geometry, normal and light, as far as they are asked for.
     /// What a size is refused for is said in the error.
     static base::Result<Canvas> create(const Gl& gl, int width, int height,
                                        const shader::Outputs& outputs);
@@ -37,6 +38,11 @@ public:
     /// scissor test off.
     void draw(const Program& program, const Frame& frame, const shader::FieldNumbers& numbers,
               const Tile& tile);
+    /// Draws a tile of the frame by the passes from `first` on. What those before would find is
+    /// taken from a canvas that holds it for all of the same picture, this one or a larger one;
+    /// `frame` is that canvas's. All canvases and the program must have all outputs.
+    void draw_from(Pass first, const Canvas& kept, const Program& program, const Frame& frame,
+                   const shader::FieldNumbers& numbers, const Tile& tile);
     /// Waits until everything drawn is there.
     void finish();
 
@@ -54,7 +60,7 @@ private:
     const Gl* gl_ = nullptr;
     int width_ = 0, height_ = 0;
     GLuint framebuffer_ = 0, vertex_array_ = 0;
-    GLuint picture_ = 0, geometry_ = 0, normal_ = 0;
+    GLuint picture_ = 0, geometry_ = 0, normal_ = 0, light_ = 0;
     GLuint frame_buffer_object_ = 0, values_buffer_object_ = 0;
     std::optional<TileParts> tile_parts_;  ///< always there in a canvas that can be drawn into
 };

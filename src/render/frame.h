@@ -42,6 +42,7 @@ struct Frame {
     std::array<glm::vec4, max_lights> light_colour;           ///< rgb times intensity; unused
     std::array<glm::vec4, max_materials> material;            ///< rgb, specular strength
     std::array<glm::vec4, max_materials> material_shininess;  ///< exponent, three unused
+    glm::vec4 passes;  ///< set by Canvas: first pass, pixels kept per pixel along x and y, unused
 };
 
 /// Computed in double and rounded once. Light directions become unit vectors (a zero one stays

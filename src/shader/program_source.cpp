@@ -67,27 +67,29 @@ std::string_view prepass_part(const Features& features) {
 std::string outputs_code(const Features& features, bool prepass) {
     const Outputs& outputs = features.outputs;
     std::string declarations, body;
-    if (outputs.picture) {
-        declarations += "layout(location = 0) out vec4 picture_out;\n";
-        body += "    picture_out = vec4(pixel_colour(hit, o, d, n), 1.0);\n";
-    }
+    const auto output = [&](int location, std::string_view name, std::string_view value) {
+        declarations += fmt::format("layout(location = {}) out vec4 {}_out;\n", location, name);
+        body += fmt::format("    {}_out = {};\n", name, value);
+    };
+    if (outputs.picture) output(0, "picture", "vec4(display(light), 1.0)");
     if (outputs.geometry) {
-        declarations += "layout(location = 1) out vec4 geometry_out;\n";
-        body +=
-            "    float depth = hit.status == zs_miss ? uintBitsToFloat(0x7f800000u) : hit.t;\n"
-            "    geometry_out = vec4(depth, float(hit.steps), float(hit.status), "
-            "float(hit.object));\n";
+        body += "    float depth = hit.status == zs_miss ? uintBitsToFloat(0x7f800000u) : hit.t;\n";
+        output(1, "geometry",
+               "vec4(depth, float(hit.steps), float(hit.status), float(hit.object))");
     }
-    if (outputs.normal) {
-        declarations += "layout(location = 2) out vec4 normal_out;\n";
-        body += fmt::format("    normal_out = vec4(n, {});\n",
-                            outputs.count ? "float(primary_evaluations)" : "0.0");
-    }
-    return declarations + "void write_pixel(Trace hit, real3 o, real3 d, real3 n) {\n" +
-           (!outputs.count ? ""
-            : prepass      ? "    int primary_evaluations = zs_evaluations + tile_evaluations();\n"
-                           : "    int primary_evaluations = zs_evaluations;\n") +
-           body + "}\n";
+    if (outputs.normal)
+        output(2, "normal", outputs.count ? "vec4(n, float(primary_evaluations))" : "vec4(n, 0.0)");
+    if (outputs.light) output(3, "light", "vec4(light, 1.0)");
+    if (outputs.all())
+        return declarations + "void write_pixel(Trace hit, real3 n, vec3 light) {\n" + body + "}\n";
+    const std::string_view evaluations =
+        !outputs.count ? ""
+        : prepass      ? "    int primary_evaluations = zs_evaluations + tile_evaluations();\n"
+                       : "    int primary_evaluations = zs_evaluations;\n";
+    const std::string_view light =
+        outputs.picture || outputs.light ? "    vec3 light = pixel_light(hit, o, d, n);\n" : "";
+    return fmt::format("{}void write_pixel(Trace hit, real3 o, real3 d, real3 n) {{\n{}{}{}}}\n",
+                       declarations, evaluations, light, body);
 }
 
 void add_picture_parts(Assembly& assembly, const Features& features, bool own_colours) {
@@ -160,9 +162,10 @@ ProgramSource program_source(const field::Field& field, const Features& features
     assembly.add_part(features.told_depth ? "tracer/told.glsl" : tracer.trace_part);
     if (generated.needs_differences) assembly.add_part("normal/differences.glsl");
     assembly.add_part("normal/normal.glsl");
-    if (features.outputs.picture) add_picture_parts(assembly, features, generated.has_colours);
+    if (features.outputs.picture || features.outputs.light)
+        add_picture_parts(assembly, features, generated.has_colours);
     assembly.add_code(outputs_code(features, prepass));
-    assembly.add_part("output/fragment.glsl");
+    assembly.add_part(features.outputs.all() ? "output/passes.glsl" : "output/fragment.glsl");
     Assembly vertex;
     vertex.add_part("output/vertex.glsl");
     std::string before = prepass ? prepass_text(generated, tracer, features) : std::string();

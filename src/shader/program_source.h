@@ -16,12 +16,19 @@ namespace shader {
 /// picture (location 0) sRGB-encoded colour, alpha 1;
 /// geometry (location 1) depth along the unit ray in world units (+infinity for a miss), steps of
 /// the primary ray, status (see Status), object id or -1;
-/// normal (location 2) unit normal facing the eye, 0 for a miss; and evaluations of the field.
+/// normal (location 2) unit normal facing the eye, 0 for a miss; and evaluations of the field;
+/// light (location 3) linear light before exposure and transfer function. A program that writes all
+/// four can also begin with a later pass, from what an earlier frame has left in textures 2 to 4
+/// (shaders/output/passes.glsl).
 struct Outputs {
     bool picture = true;
     bool geometry = false;
     bool normal = false;
     bool count = false;  ///< count the evaluations of primary rays: slower
+    bool light = false;
+
+    /// Whether a program can begin with a later pass.
+    bool all() const { return picture && geometry && normal && light && !count; }
 
     friend bool operator==(const Outputs&, const Outputs&) = default;
 };

@@ -12,6 +12,7 @@
 #include "render/canvas.h"
 #include "render/frame.h"
 #include "render/still.h"
+#include "studio/live_outputs.h"
 
 namespace studio {
 namespace {
@@ -26,7 +27,7 @@ base::Result<std::unique_ptr<render::Program>> link_and_warm(const render::Gl& g
     auto linked = render::Program::link(gl, source);
     if (!linked) return linked.problems();
     auto program = std::make_unique<render::Program>(std::move(*linked));
-    auto canvas = render::Canvas::create(gl, size, size, {.picture = true, .geometry = true});
+    auto canvas = render::Canvas::create(gl, size, size, live_outputs);
     if (!canvas) return canvas.problems();
     const render::Frame frame =
         render::frame(document, scene::camera_of(document, 1), render::whole(size, size));

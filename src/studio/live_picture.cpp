@@ -3,23 +3,17 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstring>
-#include <type_traits>
 #include <utility>
+
+#include "render/passes.h"
+#include "studio/live_outputs.h"
 
 namespace studio {
 namespace {
 
-constexpr shader::Outputs live_outputs{.picture = true, .geometry = true};
-
 double clock_seconds() {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     return std::chrono::duration<double>(now).count();
-}
-
-bool same(const render::Frame& a, const render::Frame& b) {
-    static_assert(std::is_trivially_copyable_v<render::Frame>);
-    return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 bool has_size(const std::optional<render::Canvas>& canvas, int width, int height) {
@@ -38,14 +32,15 @@ void LivePicture::want(const WantedPicture& wanted, double now) {
     if (wanted.width <= 0 || wanted.height <= 0) return;
     const render::Frame frame =
         render::frame(wanted.document, wanted.camera, render::whole(wanted.width, wanted.height));
-    const bool unchanged = wanted_frame_ && same(frame, *wanted_frame_) &&
-                           wanted.field_numbers == wanted_->field_numbers;
-    if (unchanged) return;
+    std::optional<render::Pass> changed = render::Pass::geometry;
+    if (wanted_frame_ && wanted.field_numbers == wanted_->field_numbers)
+        changed = render::first_changed(*wanted_frame_, frame);
+    if (!changed) return;
     wanted_ = wanted;
     wanted_frame_ = frame;
     failed_ = false;
     scheduler_.resize(wanted.width, wanted.height, now);
-    scheduler_.change(now);
+    scheduler_.change(now, *changed);
 }
 
 base::Result<PictureNews> LivePicture::work(double budget, double now) {
@@ -106,8 +101,11 @@ PictureLayers LivePicture::layers() const {
 /// Takes what is wanted now as the picture to draw, and makes room for it.
 base::Status LivePicture::prepare(const DrawingStep& step) {
     drawn_ = wanted_;
-    drawn_frame_ =
-        render::frame(drawn_->document, drawn_->camera, render::whole(step.width, step.height));
+    const bool traced = step.pass == render::Pass::geometry;
+    // What is kept is the full picture's, whatever the size in which it is drawn.
+    const render::View view = traced ? render::whole(step.width, step.height)
+                                     : render::whole(full_->width(), full_->height());
+    drawn_frame_ = render::frame(drawn_->document, drawn_->camera, view);
     std::optional<render::Canvas>& canvas = step.full() ? full_ : next_coarse_;
     if (!has_size(canvas, step.width, step.height)) {
         if (step.full() && full_ && !coarse_shown_ && !full_tiles_.empty()) {
@@ -131,8 +129,13 @@ base::Status LivePicture::prepare(const DrawingStep& step) {
 base::Status LivePicture::draw(const DrawingStep& step) {
     std::optional<render::Canvas>& canvas = step.full() ? full_ : next_coarse_;
     if (!canvas || !drawn_frame_) return base::error("the live picture has no canvas");
-    canvas->draw(*program_, *drawn_frame_, drawn_->field_numbers, step.tile);
+    canvas->draw_from(step.pass, step.pass == render::Pass::geometry ? *canvas : *full_, *program_,
+                      *drawn_frame_, drawn_->field_numbers, step.tile);
     canvas->finish();
+    const long long pixels = static_cast<long long>(step.tile.width) * step.tile.height;
+    if (step.pass <= render::Pass::geometry) work_.traced += pixels;
+    if (step.pass <= render::Pass::light) work_.shaded += pixels;
+    work_.shown += pixels;
     if (!step.full()) {
         if (step.last) {
             std::swap(coarse_, next_coarse_);

@@ -19,7 +19,7 @@
 namespace studio {
 
 /// Everything that a picture is made of besides the program. Two pictures with equal frames and
-/// values are equal.
+/// numbers are equal.
 struct WantedPicture {
     scene::Document document;
     scene::Camera camera;
@@ -41,6 +41,15 @@ struct PictureReport {
     int width = 0, height = 0;
     double seconds = 0;  ///< spent drawing it, without pauses between tiles
     PictureStatistics statistics;
+};
+
+/// How much work drawing was, in pixels since the beginning, coarse ones as well.
+struct PictureWork {
+    long long traced = 0;  ///< primary rays
+    long long shaded = 0;  ///< lit, with shadow rays where there are shadows
+    long long shown = 0;   ///< pixels of pictures
+
+    friend bool operator==(const PictureWork&, const PictureWork&) = default;
 };
 
 /// What drawing has brought: some tiles of a picture, or a whole one.
@@ -67,6 +76,7 @@ public:
     /// True if the full picture of what is wanted is on show.
     bool complete() const { return !program_ || scheduler_.complete(); }
     const std::optional<PictureReport>& report() const { return report_; }
+    const PictureWork& work_done() const { return work_; }
 
 private:
     base::Result<PictureNews> draw_for(double budget, double now);
@@ -87,6 +97,7 @@ private:
     bool coarse_shown_ = false;
     std::vector<render::Tile> full_tiles_;
     std::optional<PictureReport> report_;
+    PictureWork work_;
     bool reported_ = true;
     bool failed_ = false;
 };

@@ -50,76 +50,82 @@ void PictureScheduler::resize(int width, int height, double now) {
     if (width == width_ && height == height_) return;
     width_ = width;
     height_ = height;
-    pass_.reset();
+    sweep_.reset();
     change(now);
 }
 
-void PictureScheduler::change(double now) {
+void PictureScheduler::change(double now, render::Pass first) {
+    pass_ = complete() ? first : std::min(pass_, first);
     ++version_;
     changed_ = now;
 }
 
 void PictureScheduler::restart(double now) {
-    pass_.reset();
-    cost_known_ = false;
+    sweep_.reset();
+    costs_ = {};
     change(now);
 }
 
 std::optional<DrawingStep> PictureScheduler::next(double now) {
-    if (pass_ && pass_->divisor == 1 && pass_->version != version_) pass_.reset();
-    if (!pass_) {
+    if (sweep_ && sweep_->divisor == 1 && sweep_->version != version_) sweep_.reset();
+    if (!sweep_) {
         if (wait(now) > 0) return std::nullopt;
         const int divisor = coarse_version_ == version_ ? 1 : chosen_divisor();
-        pass_ = new_pass(divisor);
+        sweep_ = new_sweep(divisor);
     }
     split_costly_front();
-    return DrawingStep{.divisor = pass_->divisor,
-                       .width = pass_->width,
-                       .height = pass_->height,
-                       .tile = pass_->tiles.front(),
-                       .first = !pass_->begun,
-                       .last = pass_->tiles.size() == 1};
+    return DrawingStep{.divisor = sweep_->divisor,
+                       .width = sweep_->width,
+                       .height = sweep_->height,
+                       .tile = sweep_->tiles.front(),
+                       .pass = sweep_->pass,
+                       .first = !sweep_->begun,
+                       .last = sweep_->tiles.size() == 1};
 }
 
 void PictureScheduler::done(const DrawingStep& step, double seconds) {
-    assert(pass_ && !pass_->tiles.empty());
-    pass_->tiles.pop_front();
-    pass_->begun = true;
-    pass_->seconds += seconds;
+    assert(sweep_ && !sweep_->tiles.empty());
+    sweep_->tiles.pop_front();
+    sweep_->begun = true;
+    sweep_->seconds += seconds;
     last_pixel_seconds_ = seconds / pixels(step.tile);
-    if (!pass_->tiles.empty()) return;
-    pixel_seconds_ = pass_->seconds / (static_cast<double>(step.width) * step.height);
-    cost_known_ = true;
+    if (!sweep_->tiles.empty()) return;
+    const double pixel_seconds = sweep_->seconds / (static_cast<double>(step.width) * step.height);
+    // What costs so much by all passes costs no more by some.
+    for (auto pass = static_cast<std::size_t>(step.pass); pass < costs_.size(); ++pass)
+        if (!costs_[pass].known) costs_[pass].pixel_seconds = pixel_seconds;
+    costs_[static_cast<std::size_t>(step.pass)] = {pixel_seconds, true};
     if (step.full()) {
-        full_version_ = pass_->version;
-        full_seconds_ = pass_->seconds;
+        full_version_ = sweep_->version;
+        if (step.pass == render::Pass::geometry) full_seconds_ = sweep_->seconds;
     }
-    coarse_version_ = pass_->version;
-    pass_.reset();
+    coarse_version_ = sweep_->version;
+    sweep_.reset();
 }
 
 double PictureScheduler::wait(double now) const {
     constexpr double never = std::numeric_limits<double>::infinity();
     if (width_ <= 0 || height_ <= 0 || version_ == 0) return never;
-    if (pass_ && (pass_->divisor > 1 || pass_->version == version_)) return 0;
+    if (sweep_ && (sweep_->divisor > 1 || sweep_->version == version_)) return 0;
     if (full_version_ == version_) return never;
     if (coarse_version_ != version_) return 0;
     return std::max(0.0, changed_ + rest_seconds - now);
 }
 
 int PictureScheduler::chosen_divisor() const {
-    const double whole = static_cast<double>(width_) * height_ * pixel_seconds_;
-    if (cost_known_ && whole <= immediate_seconds) return 1;
+    const double whole = static_cast<double>(width_) * height_ * cost().pixel_seconds;
+    if (costs_[0].known && whole <= immediate_seconds) return 1;
     for (const int divisor : divisors) {
         if (divisor > 1 && whole / (divisor * divisor) <= coarse_seconds) return divisor;
     }
     return divisors.back();
 }
 
-PictureScheduler::Pass PictureScheduler::new_pass(int divisor) const {
+PictureScheduler::Sweep PictureScheduler::new_sweep(int divisor) const {
     const int width = std::max(1, width_ / divisor), height = std::max(1, height_ / divisor);
-    const int edge = cost_known_ ? edge_for(pixel_seconds_) : first_edge;
+    const int edge = costs_[0].known ? edge_for(cost().pixel_seconds) : first_edge;
     return {.version = version_,
+            .pass = pass_,
             .divisor = divisor,
             .width = width,
             .height = height,
@@ -128,17 +134,17 @@ PictureScheduler::Pass PictureScheduler::new_pass(int divisor) const {
 
 void PictureScheduler::split_costly_front() {
     // Four times over the aim is a tile that the user notices.
-    render::Tile tile = pass_->tiles.front();
-    while (pass_->begun && std::min(tile.width, tile.height) >= 2 * smallest_edge &&
+    render::Tile tile = sweep_->tiles.front();
+    while (sweep_->begun && std::min(tile.width, tile.height) >= 2 * smallest_edge &&
            pixels(tile) * last_pixel_seconds_ > 4 * tile_seconds) {
         const int left = tile.width / 2, top = tile.height / 2;
         const int right = tile.width - left, bottom = tile.height - top;
-        pass_->tiles.pop_front();
-        pass_->tiles.push_front({tile.x + left, tile.y + top, right, bottom});
-        pass_->tiles.push_front({tile.x, tile.y + top, left, bottom});
-        pass_->tiles.push_front({tile.x + left, tile.y, right, top});
-        pass_->tiles.push_front({tile.x, tile.y, left, top});
-        tile = pass_->tiles.front();
+        sweep_->tiles.pop_front();
+        sweep_->tiles.push_front({tile.x + left, tile.y + top, right, bottom});
+        sweep_->tiles.push_front({tile.x, tile.y + top, left, bottom});
+        sweep_->tiles.push_front({tile.x + left, tile.y, right, top});
+        sweep_->tiles.push_front({tile.x, tile.y, left, top});
+        tile = sweep_->tiles.front();
     }
 }
 

@@ -4,12 +4,14 @@
 // neither OpenGL nor the user interface.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <limits>
 #include <optional>
 
-#include "render/canvas.h"
+#include "render/passes.h"
+#include "render/tile_parts.h"
 
 namespace studio {
 
@@ -18,6 +20,8 @@ struct DrawingStep {
     int divisor = 1;
     int width = 0, height = 0;  ///< of the whole picture that the tile is a part of
     render::Tile tile;
+    /// The first pass to run: those before have been run for the whole full picture already.
+    render::Pass pass = render::Pass::geometry;
     bool first = false;  ///< the first tile of its picture
     bool last = false;   ///< the last tile of its picture
 
@@ -40,8 +44,8 @@ public:
 
     /// The size of the full picture; a change of it is a change of the scene.
     void resize(int width, int height, double now);
-    /// What is drawn has changed.
-    void change(double now);
+    /// What this pass reads has changed, and nothing that one before it reads.
+    void change(double now, render::Pass first = render::Pass::geometry);
     /// The program has changed: its cost is unknown, and what was begun with the old one is void.
     void restart(double now);
 
@@ -57,12 +61,14 @@ public:
     bool complete() const { return full_version_ == version_; }
     /// True if the scene has not changed for a while.
     bool resting(double now) const { return now - changed_ >= rest_seconds; }
-    /// Drawing time of the last complete full picture.
+    /// Drawing time of the last full picture that was drawn by all passes.
     double full_seconds() const { return full_seconds_; }
 
 private:
-    struct Pass {
+    /// A picture that is being drawn.
+    struct Sweep {
         std::uint64_t version = 0;
+        render::Pass pass = render::Pass::geometry;
         int divisor = 1;
         int width = 0, height = 0;
         std::deque<render::Tile> tiles;
@@ -70,17 +76,24 @@ private:
         double seconds = 0;
     };
 
+    /// What drawing a pixel from some pass on has cost in the last picture.
+    struct Cost {
+        double pixel_seconds = 1e-6;
+        bool known = false;
+    };
+
+    const Cost& cost() const { return costs_[static_cast<std::size_t>(pass_)]; }
     int chosen_divisor() const;
-    Pass new_pass(int divisor) const;
+    Sweep new_sweep(int divisor) const;
     void split_costly_front();
 
     int width_ = 0, height_ = 0;
     double changed_ = -std::numeric_limits<double>::infinity();
     std::uint64_t version_ = 0, coarse_version_ = 0, full_version_ = 0;
-    std::optional<Pass> pass_;
-    double pixel_seconds_ = 1e-6;       ///< mean of the last picture
-    double last_pixel_seconds_ = 1e-6;  ///< of the last tile
-    bool cost_known_ = false;
+    std::optional<Sweep> sweep_;
+    render::Pass pass_ = render::Pass::geometry;  ///< the first that the full picture lacks
+    std::array<Cost, 3> costs_;                   ///< by the first pass
+    double last_pixel_seconds_ = 1e-6;            ///< of the last tile
     double full_seconds_ = 0;
 };
 

@@ -7,11 +7,15 @@
 #include <fmt/format.h>
 
 #include "compile/check_scene.h"
+#include "studio/live_outputs.h"
 
 namespace studio {
 namespace {
 
-constexpr shader::Outputs live_outputs{.picture = true, .geometry = true};
+/// Whether compile::field_numbers reads the same of both.
+bool reads_alike(const scene::Document& a, const scene::Document& b) {
+    return a.parameters == b.parameters && a.time == b.time && a.bounds == b.bounds;
+}
 
 }  // namespace
 
@@ -40,10 +44,20 @@ std::optional<BuiltScene> SceneBuilder::build_throwing(const scene::Document& do
     built.diagnostics = diagnostics_;
     if (!make_drawable(document, built, superseded)) return std::nullopt;
     if (drawn_) {
-        built.field_numbers = compile::field_numbers(drawn_->formula, drawn_->source, document);
+        built.field_numbers = numbers_of_drawn(document);
         built.bounds = document.bounds;
     }
     return built;
+}
+
+/// Analyses run only where something has changed that they read.
+const shader::FieldNumbers& SceneBuilder::numbers_of_drawn(const scene::Document& document) {
+    if (!reads_alike(drawn_->numbers_of, document)) {
+        drawn_->numbers = compile::field_numbers(drawn_->formula, drawn_->source, document);
+        drawn_->numbers_of = document;
+        ++work_.analyses;
+    }
+    return drawn_->numbers;
 }
 
 void SceneBuilder::read(const std::string& text) {
@@ -76,20 +90,25 @@ bool SceneBuilder::make_drawable(const scene::Document& document, BuiltScene& bu
         built.failures = rejection_;
         return true;
     }
+    if (!another && !candidate_) return true;
+    if (another && superseded()) return false;
+    Drawn next{.formula = *formula, .source = std::move(source)};
+    next.numbers = compile::field_numbers(next.formula, next.source, document);
+    next.numbers_of = document;
+    ++work_.analyses;
     if (another) {
-        if (superseded()) return false;
-        auto program = link_(source, document, compile::field_numbers(*formula, source, document));
+        auto program = link_(next.source, document, next.numbers);
         if (!program) {
-            rejected_ = source;
+            rejected_ = std::move(next.source);
             rejection_ = program.problems();
             built.failures = rejection_;
             return true;
         }
+        ++work_.links;
         built.program = std::move(*program);
     }
-    compile::Formula kept = candidate_ ? std::move(*candidate_) : std::move(drawn_->formula);
     candidate_.reset();
-    drawn_ = Drawn{std::move(kept), std::move(source)};
+    drawn_ = std::move(next);
     return true;
 }
 

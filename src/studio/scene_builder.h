@@ -32,6 +32,12 @@ struct BuiltScene {
     scene::Bounds bounds;
 };
 
+/// How much work building was, since the beginning.
+struct BuildWork {
+    int links = 0;     ///< programs
+    int analyses = 0;  ///< of the field over the region: its numbers
+};
+
 /// Compiles one document after the other, redoing only what has changed. Used by one thread, with a
 /// context current if `link` needs one.
 class SceneBuilder {
@@ -47,6 +53,7 @@ public:
     std::optional<BuiltScene> build(const scene::Document& document,
                                     const std::function<bool()>& superseded);
 
+    const BuildWork& work_done() const { return work_; }
     /// The formula of the picture; none before the first good one.
     const compile::Formula* formula() const { return drawn_ ? &drawn_->formula : nullptr; }
 
@@ -54,7 +61,11 @@ private:
     struct Drawn {
         compile::Formula formula;
         shader::ProgramSource source;
+        shader::FieldNumbers numbers{};
+        scene::Document numbers_of{};
     };
+
+    const shader::FieldNumbers& numbers_of_drawn(const scene::Document& document);
 
     std::optional<BuiltScene> build_throwing(const scene::Document& document,
                                              const std::function<bool()>& superseded);
@@ -63,6 +74,7 @@ private:
                        const std::function<bool()>& superseded);
 
     Link link_;
+    BuildWork work_;
     std::optional<std::string> text_;  ///< the text that was read last
     base::Diagnostics diagnostics_;
     bool understood_ = false;

@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Those of the picture in the window: what is judged and timed is what is on show.
+/// As a picture that is drawn once: a trial has no passes to keep.
 constexpr shader::Outputs trial_outputs{.picture = true, .geometry = true};
 constexpr std::size_t most_programs = 24;
 constexpr double band_seconds = 0.1;

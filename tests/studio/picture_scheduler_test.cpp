@@ -193,6 +193,45 @@ TEST(PictureScheduler, begins_a_new_program_with_a_coarse_picture_in_small_tiles
     EXPECT_LE(step->tile.height, 64);
 }
 
+TEST(PictureScheduler, begins_with_the_first_pass_that_the_full_picture_lacks) {
+    using render::Pass;
+    PictureScheduler scheduler = settled(800, 600, 1e-6);
+    const auto first_pass = [&](double now) { return scheduler.next(now)->pass; };
+    scheduler.change(20, Pass::image);
+    EXPECT_EQ(first_pass(20), Pass::image);
+    scheduler.change(21, Pass::light);
+    EXPECT_EQ(draw_all(scheduler, 21, 1e-6).back().pass, Pass::light);
+    // The full picture has not been lit yet.
+    scheduler.change(22, Pass::image);
+    EXPECT_EQ(first_pass(22), Pass::light);
+    draw_all(scheduler, 22, 1e-6);
+    draw_all(scheduler, 22 + 2 * rest, 1e-6);
+    ASSERT_TRUE(scheduler.complete());
+    scheduler.change(30, Pass::image);
+    EXPECT_EQ(first_pass(30), Pass::image);
+    scheduler.change(31);
+    draw_all(scheduler, 31, 1e-6);
+    scheduler.change(32, Pass::light);
+    EXPECT_EQ(first_pass(32), Pass::geometry);
+    draw_all(scheduler, 32, 1e-6);
+    draw_all(scheduler, 32 + 2 * rest, 1e-6);
+    scheduler.restart(40);
+    EXPECT_EQ(first_pass(40), Pass::geometry);
+}
+
+TEST(PictureScheduler, learns_what_each_pass_costs) {
+    PictureScheduler scheduler = settled(800, 600, 1e-6);
+    scheduler.change(20, render::Pass::light);
+    EXPECT_GT(scheduler.next(20)->divisor, 1) << "as all passes, as long as it is not known";
+    draw_all(scheduler, 20, 1e-9);
+    draw_all(scheduler, 20 + 2 * rest, 1e-9);
+    scheduler.change(30, render::Pass::light);
+    EXPECT_EQ(scheduler.next(30)->divisor, 1);
+    draw_all(scheduler, 30, 1e-9);
+    scheduler.change(40);
+    EXPECT_GT(scheduler.next(40)->divisor, 1);
+}
+
 TEST(PictureScheduler, begins_in_the_middle) {
     PictureScheduler scheduler = settled(800, 600, 1e-6);
     scheduler.change(20);

@@ -48,7 +48,32 @@ TEST(SceneBuilder, links_once_for_any_values_of_parameters) {
     auto second = builder.build(document, never);
     ASSERT_TRUE(second && second->field_numbers);
     EXPECT_EQ(driver.links, 1);
+    EXPECT_EQ(builder.work_done().links, 1);
+    EXPECT_EQ(builder.work_done().analyses, 2);
     EXPECT_NE(*first->field_numbers, *second->field_numbers);
+}
+
+TEST(SceneBuilder, analyses_only_what_has_changed) {
+    FakeDriver driver;
+    SceneBuilder builder(driver.link());
+    scene::Document document = with_formula("param a = 1 in [0, 2]\na*x^2 + y^2 + z^2 = 1");
+    const auto first = builder.build(document, never);
+    ASSERT_TRUE(first && first->field_numbers);
+    EXPECT_EQ(builder.work_done().analyses, 1);
+    document.lights[0].intensity = 2;
+    document.settings.exposure = 3;
+    document.settings.steps = 50;
+    const auto second = builder.build(document, never);
+    ASSERT_TRUE(second && second->field_numbers);
+    EXPECT_EQ(*first->field_numbers, *second->field_numbers);
+    EXPECT_EQ(builder.work_done().analyses, 1);
+    EXPECT_EQ(driver.links, 1);
+    document.bounds.half *= 2;
+    const auto third = builder.build(document, never);
+    ASSERT_TRUE(third && third->field_numbers);
+    EXPECT_NE(*first->field_numbers, *third->field_numbers);
+    EXPECT_EQ(builder.work_done().analyses, 2);
+    EXPECT_EQ(driver.links, 1);
 }
 
 TEST(SceneBuilder, keeps_the_last_good_scene_while_the_text_is_broken) {
