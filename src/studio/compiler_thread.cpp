@@ -9,31 +9,17 @@
 
 #include "compile/compile.h"
 #include "image/png.h"
-#include "render/canvas.h"
 #include "render/frame.h"
 #include "render/still.h"
-#include "studio/live_outputs.h"
 
 namespace studio {
 namespace {
 
-/// Links, and draws a few pixels: drivers translate a program when it is used for the first time,
-/// and that must not happen on the window's thread.
-base::Result<std::unique_ptr<render::Program>> link_and_warm(const render::Gl& gl,
-                                                             const shader::ProgramSource& source,
-                                                             const scene::Document& document,
-                                                             const shader::FieldNumbers& numbers) {
-    constexpr int size = 32;
+base::Result<std::unique_ptr<render::Program>> link(const render::Gl& gl,
+                                                    const shader::ProgramSource& source) {
     auto linked = render::Program::link(gl, source);
     if (!linked) return linked.problems();
-    auto program = std::make_unique<render::Program>(std::move(*linked));
-    auto canvas = render::Canvas::create(gl, size, size, live_outputs);
-    if (!canvas) return canvas.problems();
-    const render::Frame frame =
-        render::frame(document, scene::camera_of(document, 1), render::whole(size, size));
-    canvas->draw(*program, frame, numbers, {0, 0, size, size});
-    canvas->finish();
-    return program;
+    return std::make_unique<render::Program>(std::move(*linked));
 }
 
 /// Later news win, but a program that has not been taken yet must not get lost.
@@ -52,10 +38,7 @@ void merge(std::optional<BuiltScene>& old, BuiltScene scene) {
 CompilerThread::CompilerThread(render::Context& context, std::function<void()> wake)
     : context_(context),
       wake_(std::move(wake)),
-      builder_([this](const shader::ProgramSource& source, const scene::Document& document,
-                      const shader::FieldNumbers& numbers) {
-          return link_and_warm(context_.gl(), source, document, numbers);
-      }),
+      builder_([this](const shader::ProgramSource& source) { return link(context_.gl(), source); }),
       thread_([this] { run(); }) {}
 
 CompilerThread::~CompilerThread() {

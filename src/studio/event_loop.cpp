@@ -19,8 +19,6 @@
 namespace studio {
 namespace {
 
-constexpr double drawing_budget = 0.026;
-constexpr double tiles_seconds = 0.08;
 constexpr double longest_wait = 2;
 constexpr double accuracy_news_seconds = 0.2;
 constexpr double blink_seconds = 0.2;  // of the text cursor
@@ -46,8 +44,8 @@ EventLoop::EventLoop(Window& window, const Options& options)
       workspace_(first_document()),
       gui_(window),
       input_(window.handle()),
-      picture_(window.context().gl()),
-      compiler_(window.worker_context(), &Window::wake),
+      picture_(window.picture_context(), &Window::wake),
+      compiler_(window.compiler_context(), &Window::wake),
       accuracy_(workspace_.accuracy, oracle::trace, &Window::wake) {
     workspace_.renderer = window.context().renderer();
     workspace_.presets = list_all_presets();
@@ -68,7 +66,7 @@ bool EventLoop::step() {
         if (!workspace_.dialogs.open()) start(workspace_, {PendingAction::Kind::quit, {}});
     }
     take_answers();
-    draw_picture();
+    look_at_picture();
     look_at_accuracy();
     const bool blinks = ImGui::GetIO().WantTextInput && glfwGetTime() - last_frame_ > blink_seconds;
     if (workspace_.playback.playing || blinks) frames_to_draw_ = std::max(frames_to_draw_, 1);
@@ -86,7 +84,6 @@ double EventLoop::wait_seconds() const {
     if (frames_to_draw_ > 0 || input_.has_news() || workspace_.playback.playing) return 0;
     const double now = glfwGetTime();
     double seconds = std::min({longest_wait, autosave_.wait(now), accuracy_.wait(now)});
-    if (window_.framebuffer_width() > 0) seconds = std::min(seconds, picture_.wait(now));
     if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, blink_seconds);
     return seconds;
 }
@@ -103,7 +100,8 @@ void EventLoop::take_answers() {
             compilation.bounds = scene->bounds;
             compilation.drawable = true;
         }
-        if (scene->program) picture_.set_program(std::move(scene->program), glfwGetTime());
+        if (scene->program)
+            picture_.set_program(std::move(scene->program), compilation.field_numbers);
         ask_for_picture();
         frames_to_draw_ = frames_after_event;
     }
@@ -171,25 +169,15 @@ void EventLoop::ask_for_picture() {
                          .height = workspace_.area.height};
     // The values hold for these bounds; newer ones must wait for the compiler.
     wanted.document.bounds = compilation.bounds;
-    picture_.want(wanted, glfwGetTime());
+    picture_.want(std::move(wanted));
 }
 
-void EventLoop::draw_picture() {
-    if (window_.framebuffer_width() == 0) return;
-    const auto news = picture_.work(drawing_budget, glfwGetTime());
-    if (!news) {
-        const std::string problem = news.problems().front().message;
-        if (problem != picture_problem_) workspace_.error(problem);
-        picture_problem_ = problem;
-        frames_to_draw_ = std::max(frames_to_draw_, 1);
-        return;
-    }
-    // Showing each tile at once would take longer than drawing it.
-    const bool worth_showing =
-        *news == PictureNews::whole ||
-        (*news == PictureNews::tiles && glfwGetTime() - last_frame_ > tiles_seconds);
-    if (!worth_showing) return;
-    picture_problem_.clear();
+void EventLoop::look_at_picture() {
+    const auto news = picture_.take_news();
+    if (news && !*news) return;
+    const std::string problem = news ? "" : news.problems().front().message;
+    if (!news && problem != picture_problem_) workspace_.error(problem);
+    picture_problem_ = problem;
     frames_to_draw_ = std::max(frames_to_draw_, 1);
 }
 
@@ -200,8 +188,17 @@ void EventLoop::draw_interface() {
         workspace_.playback.time += std::min(now - last_frame_, 0.5);
     }
     last_frame_ = now;
-    workspace_.layers = picture_.layers();
-    workspace_.report = picture_.report();
+    show_picture_and_panels();
+    window_.swap();
+    window_.set_title(workspace_.name() + (workspace_.unsaved() ? "* - Zeroset" : " - Zeroset"));
+}
+
+/// The picture stands still until it is on the screen's back buffer, but not for as long as
+/// swapping may wait for the screen.
+void EventLoop::show_picture_and_panels() {
+    const PictureThread::Shown picture = picture_.show();
+    workspace_.layers = picture.layers();
+    workspace_.report = picture.report();
     workspace_.picture_complete = picture_.complete();
     workspace_.monospaced = gui_.monospaced();
     workspace_.scale = gui_.scale();
@@ -218,8 +215,7 @@ void EventLoop::draw_interface() {
     ask_for_picture();
     start_still();
     gui_.draw();
-    window_.swap();
-    window_.set_title(workspace_.name() + (workspace_.unsaved() ? "* - Zeroset" : " - Zeroset"));
+    window_.context().gl().Finish();
 }
 
 void EventLoop::record() {

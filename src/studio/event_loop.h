@@ -12,7 +12,7 @@
 #include "studio/compiler_thread.h"
 #include "studio/gui.h"
 #include "studio/input_queue.h"
-#include "studio/live_picture.h"
+#include "studio/picture_thread.h"
 #include "studio/studio.h"
 #include "studio/window.h"
 #include "studio/workspace.h"
@@ -35,8 +35,9 @@ private:
     void start_trial();
     void ask_compiler();
     void ask_for_picture();
-    void draw_picture();
+    void look_at_picture();
     void draw_interface();
+    void show_picture_and_panels();
     void record();
     Gesture gesture();
     void keep_safe();
@@ -48,7 +49,7 @@ private:
     Gui gui_;
     InputQueue input_;
     Autosave autosave_;
-    LivePicture picture_;
+    PictureThread picture_;
     CompilerThread compiler_;
     AccuracyCheck accuracy_;
 

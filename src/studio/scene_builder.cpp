@@ -97,7 +97,7 @@ bool SceneBuilder::make_drawable(const scene::Document& document, BuiltScene& bu
     next.numbers_of = document;
     ++work_.analyses;
     if (another) {
-        auto program = link_(next.source, document, next.numbers);
+        auto program = link_(next.source);
         if (!program) {
             rejected_ = std::move(next.source);
             rejection_ = program.problems();

@@ -43,8 +43,7 @@ struct BuildWork {
 class SceneBuilder {
 public:
     using Link = std::function<base::Result<std::unique_ptr<render::Program>>(
-        const shader::ProgramSource& source, const scene::Document& document,
-        const shader::FieldNumbers& numbers)>;
+        const shader::ProgramSource& source)>;
 
     explicit SceneBuilder(Link link) : link_(std::move(link)) {}
 

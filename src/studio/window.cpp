@@ -44,12 +44,17 @@ base::Result<std::unique_ptr<Window>> Window::open(int width, int height) {
     if (!window->main_) return no_window("a window with OpenGL 4.5");
     glfwSetWindowSizeLimits(window->main_, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    window->worker_ = glfwCreateWindow(16, 16, "Zeroset compiler", nullptr, window->main_);
-    if (!window->worker_) return no_window("a second OpenGL context that shares with the first");
+    window->compiler_ = glfwCreateWindow(16, 16, "Zeroset compiler", nullptr, window->main_);
+    window->picture_ = glfwCreateWindow(16, 16, "Zeroset picture", nullptr, window->main_);
+    if (!window->compiler_ || !window->picture_)
+        return no_window("a second OpenGL context that shares with the first");
 
-    auto worker_context = wrap(window->worker_);
-    if (!worker_context) return worker_context.problems();
-    window->worker_context_ = std::move(*worker_context);
+    auto compiler_context = wrap(window->compiler_);
+    if (!compiler_context) return compiler_context.problems();
+    window->compiler_context_ = std::move(*compiler_context);
+    auto picture_context = wrap(window->picture_);
+    if (!picture_context) return picture_context.problems();
+    window->picture_context_ = std::move(*picture_context);
     auto context = wrap(window->main_);
     if (!context) return context.problems();
     window->context_ = std::move(*context);
@@ -59,7 +64,8 @@ base::Result<std::unique_ptr<Window>> Window::open(int width, int height) {
 
 Window::~Window() {
     glfwMakeContextCurrent(nullptr);
-    if (worker_) glfwDestroyWindow(worker_);
+    for (GLFWwindow* hidden : {compiler_, picture_})
+        if (hidden) glfwDestroyWindow(hidden);
     if (main_) glfwDestroyWindow(main_);
     glfwTerminate();
 }

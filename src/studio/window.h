@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The window, and a second, hidden one whose context shares objects with it for the compiler's
-// thread.
+// The window, and hidden ones whose contexts share objects with it, for other threads.
 #pragma once
 
 #include <memory>
@@ -13,11 +12,11 @@ struct GLFWwindow;
 
 namespace studio {
 
-/// Owns GLFW and both windows. Used on the main thread only, apart from `wake` and the worker's
-/// context.
+/// Owns GLFW and all windows. Used on the main thread only, apart from `wake` and the contexts of
+/// the hidden windows.
 class Window {
 public:
-    /// Opens both with OpenGL 4.5 core; the window's context is current on return, the worker's is
+    /// Opens all with OpenGL 4.5 core; the window's context is current on return, the others are
     /// not. An error names the cause and the way to make pictures without a display.
     static base::Result<std::unique_ptr<Window>> open(int width, int height);
     ~Window();
@@ -26,7 +25,8 @@ public:
 
     GLFWwindow* handle() { return main_; }
     render::Context& context() { return *context_; }
-    render::Context& worker_context() { return *worker_context_; }
+    render::Context& compiler_context() { return *compiler_context_; }
+    render::Context& picture_context() { return *picture_context_; }
 
     void set_title(const std::string& title);
     /// In pixels; 0 while the window is minimised.
@@ -51,8 +51,8 @@ private:
     Window() = default;
 
     GLFWwindow* main_ = nullptr;
-    GLFWwindow* worker_ = nullptr;
-    std::unique_ptr<render::Context> context_, worker_context_;
+    GLFWwindow *compiler_ = nullptr, *picture_ = nullptr;
+    std::unique_ptr<render::Context> context_, compiler_context_, picture_context_;
     std::string title_;
 };
 

@@ -28,8 +28,7 @@ struct FakeDriver {
 
     SceneBuilder::Link link() {
         return
-            [this](const shader::ProgramSource&, const scene::Document&,
-                   const shader::FieldNumbers&) -> base::Result<std::unique_ptr<render::Program>> {
+            [this](const shader::ProgramSource&) -> base::Result<std::unique_ptr<render::Program>> {
                 ++links;
                 if (refuses) return base::error("the driver says no");
                 return std::unique_ptr<render::Program>();
@@ -154,8 +153,7 @@ TEST(SceneBuilder, leaves_a_superseded_document_and_comes_back_to_it) {
 
 TEST(SceneBuilder, reports_an_exception_as_a_failure) {
     SceneBuilder builder(
-        [](const shader::ProgramSource&, const scene::Document&,
-           const shader::FieldNumbers&) -> base::Result<std::unique_ptr<render::Program>> {
+        [](const shader::ProgramSource&) -> base::Result<std::unique_ptr<render::Program>> {
             throw std::runtime_error("out of luck");
         });
     const auto built = builder.build(with_formula("x^2 + y^2 + z^2 = 1"), never);
