@@ -93,15 +93,10 @@ private:
         if (eval::heuristic_equal(graph(), large, *length_)) radius_ = small;
     }
 
-    /// What ends the iteration; of |z| > radius the form that costs least.
+    /// What ends the iteration; of |z| > radius the squares, which need no root.
     NodeId escape_condition() {
         const auto [large, small, span] = *turns_.until;
         if (!radius_) return (expr(large) - expr(small)).id;
-        const std::vector<NodeId> needed = reachable(graph(), turns_.iteration.step);
-        const auto is_needed = [&](NodeId id) { return std::ranges::binary_search(needed, id); };
-        if (is_needed(*length_) && !is_needed(*square_)) {
-            return (expr(*length_) - expr(*radius_)).id;
-        }
         const bool squared = small != *radius_;
         return (expr(*square_) - (squared ? expr(small) : expr(small) * expr(small))).id;
     }
@@ -156,8 +151,8 @@ private:
                                    {turns_.growth, turns_.start->stretch, turns_.next->stretch});
         } else {
             growth_ = passes::add_jacobian_norm(graph(), turns_.iteration, orbit().size());
-            replacements_.emplace_back(turns_.growth, *growth_);
         }
+        replacements_.emplace_back(turns_.growth, *growth_);
         return *growth_;
     }
 

@@ -8,6 +8,7 @@
 
 #include "graph/build.h"
 #include "passes/differentiate.h"
+#include "passes/spell_out_lengths.h"
 
 namespace passes {
 namespace {
@@ -77,6 +78,43 @@ std::vector<std::size_t> changing_state(Graph& graph, const Iteration& iteration
     return rows;
 }
 
+/// What a number is multiplied by at each turn: the square, and how many roots that saves.
+struct Factor {
+    NodeId square{};
+    int roots = 0;
+};
+
+/// The square of what does not hold the variable; of lengths that of what is under the root.
+Factor squared(Graph& graph, NodeId id) {
+    const graph::Node node = graph[id];
+    const auto [a, b, c, d] = node.arguments;
+    if (node.op == graph::Op::mul) {
+        const Factor left = squared(graph, a), right = squared(graph, b);
+        return {graph.apply(node.op, left.square, right.square), left.roots + right.roots};
+    }
+    if (node.op == graph::Op::sqrt && is_sum_of_squares(graph, a)) return {a, 1};
+    const NodeId spelt = spell_out_lengths(graph, id);
+    if (spelt != id) return squared(graph, spelt);
+    return {graph.apply(graph::Op::mul, id, id), 0};
+}
+
+/// The factor if the number is only multiplied; none otherwise.
+std::optional<Factor> factor_of(Graph& graph, NodeId step, VariableId variable) {
+    const graph::Node node = graph[step];
+    if (node.op != graph::Op::mul) return std::nullopt;
+    for (const std::size_t k : {0U, 1U}) {
+        const NodeId mine = node.arguments[k], other = node.arguments[1 - k];
+        if (depends_on(graph, other, std::array{variable})) continue;
+        const Factor factor = squared(graph, other);
+        if (mine == graph.variable(variable)) return factor;
+        const std::optional<Factor> rest = factor_of(graph, mine, variable);
+        if (!rest) return std::nullopt;
+        return Factor{graph.apply(graph::Op::mul, factor.square, rest->square),
+                      factor.roots + rest->roots};
+    }
+    return std::nullopt;
+}
+
 /// The part of a node's order that its operator gives; none if it grows like no power.
 std::optional<double> order_of(const Graph& graph, const graph::Node& node,
                                std::span<const double> of) {
@@ -136,6 +174,15 @@ std::optional<double> order_of(const Graph& graph, const graph::Node& node,
 }  // namespace
 
 NodeId add_growth(Graph& graph, Iteration& iteration, const RunningDerivative& derivative) {
+    const std::optional<Factor> factor = factor_of(graph, derivative.step, derivative.variable);
+    if (factor && factor->roots > 0) {
+        const VariableId square =
+            add_state(graph, iteration, "growth squared",
+                      (Expr(graph, derivative.start) * Expr(graph, derivative.start)).id);
+        const Expr value(graph, graph.variable(square));
+        iteration.step.push_back((Expr(graph, factor->square) * value).id);
+        return sqrt(value).id;
+    }
     iteration.state.push_back(derivative.variable);
     iteration.start.push_back(derivative.start);
     iteration.step.push_back(derivative.step);

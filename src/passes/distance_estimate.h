@@ -28,7 +28,8 @@ struct Escape {
     graph::NodeId radius{};               ///< above 1
 };
 
-/// Adds the running derivative to the state; the node is its value.
+/// Adds the running derivative to the state; the node is its value. Where lengths only multiply it,
+/// its square is carried, which needs no root.
 graph::NodeId add_growth(graph::Graph& graph, field::Iteration& iteration,
                          const RunningDerivative& derivative);
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "field/field.h"
 #include "graph/graph.h"
 
 namespace shader {
@@ -12,5 +14,9 @@ namespace shader {
 /// (division, root, logarithm, power, inverse sine or cosine, tangent): by structure, so a false
 /// alarm is possible and a miss is not, but for overflow.
 bool may_be_undefined(const graph::Graph& graph, std::span<const graph::NodeId> roots);
+
+/// For each node of the field's graph whether it may be NaN at a finite point: by structure, so a
+/// false alarm is possible and a miss is not, but for overflow.
+std::vector<bool> may_be_nan(const field::Field& field);
 
 }  // namespace shader

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "graph/print.h"
+#include "passes/spell_out_lengths.h"
 
 namespace shader {
 
@@ -41,24 +42,44 @@ std::string ExpressionWriter::spelling(NodeId id) {
     return written_.at(id);
 }
 
-std::string ExpressionWriter::call(const graph::Node& node) {
+std::string ExpressionWriter::function(const graph::Node& node) {
     const graph::OperatorFacts& facts = graph::facts(node.op);
-    if (!facts.glsl_file.empty()) {
-        operator_parts_.insert(fmt::format("operator/{}.glsl", facts.glsl_file));
+    const bool never_nan = may_be_nan_ && std::ranges::none_of(node.args(), [&](NodeId a) {
+                               return (*may_be_nan_)[index(a)];
+                           });
+    const auto part = [&](std::string_view file) {
+        if (!file.empty()) operator_parts_.insert(fmt::format("operator/{}.glsl", file));
+    };
+    if (node.op == Op::sqrt && passes::is_sum_of_squares(graph_, node.arguments[0])) return "sqrt";
+    if (never_nan && (node.op == Op::min || node.op == Op::max)) {
+        part("lesser");
+        return node.op == Op::min ? "zs_lesser" : "zs_greater";
     }
+    part(facts.glsl_file);
+    return std::string(facts.glsl);
+}
+
+std::string ExpressionWriter::call(const graph::Node& node) {
+    const std::string name = function(node);
     std::vector<std::string> arguments;
     for (NodeId argument : node.args()) arguments.push_back(spelling(argument));
-    const bool is_sign = facts.glsl.find_first_not_of("+-*/") == std::string_view::npos;
-    if (is_sign && facts.arity == 1) return fmt::format("{}{}", facts.glsl, arguments[0]);
-    if (is_sign) return fmt::format("{} {} {}", arguments[0], facts.glsl, arguments[1]);
-    return fmt::format("{}({})", facts.glsl, fmt::join(arguments, ", "));
+    const bool is_sign = name.find_first_not_of("+-*/") == std::string_view::npos;
+    if (is_sign && arguments.size() == 1) return fmt::format("{}{}", name, arguments[0]);
+    if (is_sign) return fmt::format("{} {} {}", arguments[0], name, arguments[1]);
+    return fmt::format("{}({})", name, fmt::join(arguments, ", "));
 }
 
 std::vector<NodeId> ExpressionWriter::open(std::span<const NodeId> roots) const {
-    std::vector<NodeId> list = reachable(graph_, roots);
-    std::erase_if(list, [&](NodeId id) {
-        return graph_[id].args().empty() || !depends_[index(id)] || written_.contains(id);
-    });
+    const std::vector<NodeId> all = reachable(graph_, roots);
+    std::set<NodeId> wanted(roots.begin(), roots.end());
+    std::vector<NodeId> list;
+    for (auto it = all.rbegin(); it != all.rend(); ++it) {
+        const std::span<const NodeId> arguments = graph_[*it].args();
+        if (!wanted.contains(*it) || !depends_[index(*it)] || written_.contains(*it)) continue;
+        wanted.insert(arguments.begin(), arguments.end());
+        if (!arguments.empty()) list.push_back(*it);
+    }
+    std::ranges::reverse(list);
     return list;
 }
 

@@ -38,10 +38,16 @@ private:
 /// Writes the statements of one function's body.
 class ExpressionWriter {
 public:
-    /// `depends` is graph::depends_on_variables; `variables` says how variables are spelt.
+    /// `depends` is graph::depends_on_variables; `variables` says how variables are spelt;
+    /// `may_be_nan` is that of shader/domain.h, or nothing if everything may be.
     ExpressionWriter(const graph::Graph& graph, const std::vector<bool>& depends,
-                     FieldValues& values, std::map<graph::VariableId, std::string> variables)
-        : graph_(graph), depends_(depends), values_(values), names_(std::move(variables)) {}
+                     FieldValues& values, std::map<graph::VariableId, std::string> variables,
+                     const std::vector<bool>* may_be_nan = nullptr)
+        : graph_(graph),
+          depends_(depends),
+          may_be_nan_(may_be_nan),
+          values_(values),
+          names_(std::move(variables)) {}
 
     /// Statements that compute the roots and have not been written by this writer before, each
     /// after `indent`. Nodes that do not depend on variables are constants or field values.
@@ -54,6 +60,8 @@ public:
     using Scope = std::map<graph::NodeId, std::string>;
     const Scope& scope() const { return written_; }
     void return_to(Scope scope) { written_ = std::move(scope); }
+    /// Says that a node has been written already, by another's hand.
+    void know(graph::NodeId id, std::string spelling) { written_[id] = std::move(spelling); }
 
     /// The parts of shaders/operator/ that the statements so far need.
     const std::set<std::string>& operator_parts() const { return operator_parts_; }
@@ -67,9 +75,13 @@ private:
     /// Those nodes that the roots need and that have no statement yet.
     std::vector<graph::NodeId> open(std::span<const graph::NodeId> roots) const;
     std::string call(const graph::Node& node);
+    /// The function that has the operator's values for the arguments that this node can have:
+    /// GLSL's or a cheaper one where NaN and negative numbers cannot occur.
+    std::string function(const graph::Node& node);
 
     const graph::Graph& graph_;
     const std::vector<bool>& depends_;
+    const std::vector<bool>* may_be_nan_;
     FieldValues& values_;
     std::map<graph::VariableId, std::string> names_;
     Scope written_;

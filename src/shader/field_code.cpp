@@ -8,6 +8,8 @@
 
 #include "passes/differentiate.h"
 #include "passes/pipeline.h"
+#include "passes/rewrite.h"
+#include "passes/spell_out_lengths.h"
 #include "shader/domain.h"
 
 namespace shader {
@@ -16,10 +18,30 @@ using field::FieldId;
 
 FieldCode::FieldCode(field::Field of, const Demands& demanded)
     : field(std::move(of)), demands(demanded), plan(field_plan(field)) {
+    spell_out_orbits();
     differentiate();
     if (demands.hessians) differentiate_twice();
     make_cheap();
     depends = depends_on_variables(field.graph);
+    nan = may_be_nan(field);
+}
+
+/// Escape, power and running derivative share the squares of an orbit's length.
+void FieldCode::spell_out_orbits() {
+    std::vector<graph::NodeId*> places;
+    for (field::Node& node : field.nodes) {
+        auto* iteration = std::get_if<field::Iteration>(&node);
+        if (!iteration) continue;
+        for (graph::NodeId& id : iteration->start) places.push_back(&id);
+        for (graph::NodeId& id : iteration->step) places.push_back(&id);
+        if (iteration->escape) places.push_back(&*iteration->escape);
+        places.push_back(&iteration->distance);
+    }
+    std::vector<graph::NodeId> roots;
+    for (const graph::NodeId* place : places) roots.push_back(*place);
+    const std::vector<graph::NodeId> spelt =
+        passes::rewrite(field.graph, roots, passes::spell_out_lengths);
+    for (std::size_t i = 0; i < places.size(); ++i) *places[i] = spelt[i];
 }
 
 void FieldCode::differentiate() {
@@ -88,7 +110,8 @@ ExpressionWriter FieldCode::writer(const std::string& p) {
             values,
             {{graph::variable_x, p + ".x"},
              {graph::variable_y, p + ".y"},
-             {graph::variable_z, p + ".z"}}};
+             {graph::variable_z, p + ".z"}},
+            &nan};
 }
 
 void FieldCode::finish(const ExpressionWriter& writer) {

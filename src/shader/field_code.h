@@ -31,6 +31,7 @@ struct FieldCode {
     std::map<field::FieldId, Gradient> displacements;              ///< of blends that have one
     bool edges = false;  ///< a formula may be undefined somewhere
     std::vector<bool> depends;
+    std::vector<bool> nan;  ///< of each node whether it may be NaN
     FieldValues values;
     FieldGlsl out;
 
@@ -58,6 +59,7 @@ struct FieldCode {
     void needs(const char* part) { out.leaf_parts.insert(part); }
 
 private:
+    void spell_out_orbits();
     void differentiate();
     void differentiate_twice();
     void make_cheap();

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 #include <span>
 
 #include <fmt/format.h>
@@ -37,69 +39,129 @@ std::vector<NodeId> loop_invariants(const graph::Graph& graph, const std::vector
     return list;
 }
 
+/// Parts of the escape that `others` use as well, of two operations or more: worth carrying.
+std::vector<NodeId> shared_parts(const graph::Graph& graph, NodeId escape,
+                                 const std::vector<NodeId>& others,
+                                 const std::vector<bool>& on_state) {
+    const std::vector<NodeId> other_nodes = reachable(graph, others);
+    std::map<NodeId, int> operations;  // of what is in both
+    for (const NodeId id : reachable(graph, std::array{escape})) {
+        if (!on_state[index(id)] || !std::ranges::binary_search(other_nodes, id)) continue;
+        int& count = operations[id];
+        if (!graph[id].args().empty()) count = 1;
+        for (const NodeId argument : graph[id].args()) {
+            const auto known = operations.find(argument);
+            if (known != operations.end()) count += known->second;
+        }
+    }
+    std::set<NodeId> used(others.begin(), others.end());
+    for (const NodeId id : other_nodes) {
+        if (operations.contains(id)) continue;
+        used.insert(graph[id].args().begin(), graph[id].args().end());
+    }
+    std::vector<NodeId> list;
+    for (const auto& [id, count] : operations) {
+        if (count >= 2 && used.contains(id)) list.push_back(id);
+    }
+    return list;
+}
+
 /// Writes the loop up to its end, and which of the state it has carried there. `inside` is then
-/// whether no turn but perhaps the last has escaped.
+/// whether the last state has not escaped; false where nothing escapes. The test stands at the end
+/// of the turn: where lanes share their code, no turn is made for lanes that are all done.
 class Loop {
 public:
     Loop(const graph::Graph& graph, const field::Iteration& iteration, ExpressionWriter& writer,
          FieldValues& values)
-        : graph_(graph), iteration_(iteration), writer_(writer), values_(values) {}
+        : graph_(graph),
+          iteration_(iteration),
+          writer_(writer),
+          values_(values),
+          on_state_(depends_on(graph, iteration.state)) {}
 
     std::string write(std::span<const NodeId> answers) {
         const std::vector<bool> needed = needed_state(graph_, iteration_, answers);
-        std::vector<std::size_t> state;
         for (std::size_t i = 0; i < needed.size(); ++i) {
-            if (needed[i]) state.push_back(i);
+            if (!needed[i]) continue;
+            state_.push_back(i);
+            steps_.push_back(iteration_.step[i]);
         }
-        std::vector<NodeId> inner;
-        for (const std::size_t i : state) inner.push_back(iteration_.step[i]);
-        if (iteration_.escape) inner.push_back(*iteration_.escape);
-        std::string text = before(state, inner);
-        text += turns(state, inner);
+        if (iteration_.escape) {
+            std::vector<NodeId> others = steps_;
+            others.insert(others.end(), answers.begin(), answers.end());
+            carried_ = shared_parts(graph_, *iteration_.escape, others, on_state_);
+        }
+        std::string text = before();
+        text += turns();
         return text;
     }
 
 private:
-    std::string before(std::span<const std::size_t> state, const std::vector<NodeId>& inner) {
-        std::vector<NodeId> outer =
-            loop_invariants(graph_, inner, depends_on(graph_, iteration_.state));
-        for (const std::size_t i : state) outer.push_back(iteration_.start[i]);
+    /// What is the same at all turns, and the state before the first.
+    std::string before() {
+        std::vector<NodeId> inner = steps_;
+        if (iteration_.escape) inner.push_back(*iteration_.escape);
+        std::vector<NodeId> outer = loop_invariants(graph_, inner, on_state_);
+        for (const std::size_t i : state_) outer.push_back(iteration_.start[i]);
         std::string text = writer_.statements(outer, "    ");
-        for (const std::size_t i : state) {
+        for (const std::size_t i : state_) {
             writer_.name(iteration_.state[i], fmt::format("s{}", i));
             text += fmt::format("    real s{} = {};\n", i, writer_.spelling(iteration_.start[i]));
         }
         return text;
     }
 
-    std::string turns(std::span<const std::size_t> state, const std::vector<NodeId>& inner) {
+    /// Of the present state: whether it has escaped, and what is carried besides it.
+    std::string test(const char* indent, const char* declared) {
+        if (!iteration_.escape) return {};
         const ExpressionWriter::Scope scope = writer_.scope();
-        std::string text = fmt::format(
-            "    inside = {};\n"
-            "    int limit = int({} + 0.5);\n"
-            "    for (int i = 0; i < limit; ++i) {{\n",
-            iteration_.escape.has_value(), values_.expression(iteration_.limit));
-        text += writer_.statements(inner, "        ");
-        if (iteration_.escape) {
-            text += fmt::format(
-                "        if ({} > 0.0) {{\n            inside = false;\n            break;\n       "
-                " "
-                "}}\n",
-                writer_.spelling(*iteration_.escape));
-        }
-        for (const std::size_t i : state) {
+        std::vector<NodeId> roots = carried_;
+        roots.push_back(*iteration_.escape);
+        std::string text = writer_.statements(roots, indent);
+        for (std::size_t i = 0; i < carried_.size(); ++i) {
             text +=
-                fmt::format("        real next{} = {};\n", i, writer_.spelling(iteration_.step[i]));
+                fmt::format("{}{}c{} = {};\n", indent, declared, i, writer_.spelling(carried_[i]));
         }
-        for (const std::size_t i : state) text += fmt::format("        s{0} = next{0};\n", i);
+        text +=
+            fmt::format("{}inside = !({} > 0.0);\n", indent, writer_.spelling(*iteration_.escape));
         writer_.return_to(scope);
-        return text + "    }\n";
+        return text;
+    }
+
+    std::string turns() {
+        std::string text =
+            fmt::format("    int left = int({} + 0.5);\n", values_.expression(iteration_.limit));
+        text += iteration_.escape ? test("    ", "real ") : "    inside = false;\n";
+        const ExpressionWriter::Scope outside = writer_.scope();
+        for (std::size_t i = 0; i < carried_.size(); ++i) {
+            writer_.know(carried_[i], fmt::format("c{}", i));
+        }
+        const ExpressionWriter::Scope known = writer_.scope();
+        text += fmt::format("    if (left > 0{}) {{\n        while (true) {{\n",
+                            iteration_.escape ? " && inside" : "");
+        const char* indent = "            ";
+        text += writer_.statements(steps_, indent);
+        for (const std::size_t i : state_) {
+            text += fmt::format("{}real next{} = {};\n", indent, i,
+                                writer_.spelling(iteration_.step[i]));
+        }
+        for (const std::size_t i : state_) text += fmt::format("{0}s{1} = next{1};\n", indent, i);
+        writer_.return_to(outside);
+        text += test(indent, "");
+        text += fmt::format("{}if (--left <= 0{}) break;\n        }}\n    }}\n", indent,
+                            iteration_.escape ? " || !inside" : "");
+        writer_.return_to(known);
+        return text;
     }
 
     const graph::Graph& graph_;
     const field::Iteration& iteration_;
     ExpressionWriter& writer_;
     FieldValues& values_;
+    std::vector<bool> on_state_;
+    std::vector<std::size_t> state_{};  ///< that is carried
+    std::vector<NodeId> steps_{};       ///< its steps
+    std::vector<NodeId> carried_{};     ///< and what else is
 };
 
 }  // namespace
@@ -107,13 +169,7 @@ private:
 std::string iteration_body(const graph::Graph& graph, const field::Iteration& iteration,
                            ExpressionWriter& writer, FieldValues& values) {
     std::string text = Loop(graph, iteration, writer, values).write(std::array{iteration.distance});
-    std::vector<NodeId> after{iteration.distance};
-    if (iteration.escape) after.push_back(*iteration.escape);
-    text += writer.statements(after, "    ");
-    if (iteration.escape) {
-        text +=
-            fmt::format("    if ({} > 0.0) inside = false;\n", writer.spelling(*iteration.escape));
-    }
+    text += writer.statements(std::array{iteration.distance}, "    ");
     return text + fmt::format("    return {};\n", writer.spelling(iteration.distance));
 }
 

@@ -11,8 +11,9 @@ namespace shader {
 
 /// The body of `real value(real3 p, out bool inside)`: the distance expression at the final state,
 /// and whether the iteration never escaped. What does not depend on the state is computed before
-/// the loop. The loop's bound is a field value even if it is constant: drivers would unroll the
-/// loop and lose the early exit.
+/// the loop; what both the escape and the next turn need is computed once and carried. The loop's
+/// bound is a field value even if it is constant: drivers would unroll the loop and lose the early
+/// exit.
 std::string iteration_body(const graph::Graph& graph, const field::Iteration& iteration,
                            ExpressionWriter& writer, FieldValues& values);
 

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <complex>
 #include <random>
 
 #include <glm/geometric.hpp>
@@ -150,6 +152,44 @@ TEST(DistanceEstimate, of_squares_is_half_the_potential_over_its_gradient) {
         const double expected = 0.5 * r * std::log(r / radius) / std::sqrt(2.0);
         EXPECT_NEAR(it.answer(distance, {0.6 * r, -0.8 * r, 7}), expected, 1e-12) << r;
     }
+}
+
+TEST(AddGrowth, carries_the_square_where_lengths_only_multiply) {
+    Iterating it;
+    const Expr a = it.state("a", it.x()), b = it.state("b", it.y());
+    for (const Expr step : {a * a - b * b + 0.3, 2.0 * a * b - 0.2}) {
+        it.iteration.step.push_back(step.id);
+    }
+    it.iteration.limit = it.number(5).id;
+    const graph::VariableId running = it.field.graph.new_variable("growth");
+    const Expr factor = 2.0 * hypot(a, b), growth = it.variable(running);
+    const dvec3 p(0.7, -0.4, 0);
+    double expected = 1;
+    std::complex<double> z(p.x, p.y);
+    for (int i = 0; i < 5; ++i) {
+        expected *= 2 * std::abs(z);
+        z = z * z + std::complex<double>(0.3, -0.2);
+    }
+    const graph::NodeId value =
+        add_growth(it.field.graph, it.iteration, {running, it.number(1).id, (factor * growth).id});
+    EXPECT_NEAR(it.answer(value, p), expected, 1e-12 * expected);
+    const graph::NodeId step = it.iteration.step.back();
+    for (const graph::NodeId id : reachable(it.field.graph, std::array{step})) {
+        EXPECT_NE(it.field.graph[id].op, graph::Op::hypot) << "a root at every turn";
+        EXPECT_NE(it.field.graph[id].op, graph::Op::sqrt) << "a root at every turn";
+    }
+}
+
+TEST(AddGrowth, adds_what_is_added) {
+    Iterating it;
+    const Expr a = it.state("a", it.x());
+    it.iteration.step.push_back((a * a + it.x()).id);
+    it.iteration.limit = it.number(3).id;
+    const graph::VariableId running = it.field.graph.new_variable("growth");
+    const Expr step = 2.0 * hypot(a, it.y()) * it.variable(running) + 1.0;
+    const graph::NodeId value =
+        add_growth(it.field.graph, it.iteration, {running, it.number(1).id, step.id});
+    EXPECT_EQ(value, it.field.graph.variable(running)) << "carried as it is";
 }
 
 TEST(HeuristicOrder, adds_and_multiplies_like_degrees) {

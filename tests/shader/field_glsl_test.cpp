@@ -56,17 +56,40 @@ TEST(FieldGlsl, takes_gradients_of_iterations_by_differences) {
 
 TEST(FieldGlsl, takes_the_number_of_iterations_from_a_uniform) {
     EXPECT_TRUE(has(field_glsl(field_of("menger(2)"), false).code,
-                    "int limit = int(field_values[0].x + 0.5);"))
+                    "int left = int(field_values[0].x + 0.5);"))
         << "a constant would be unrolled";
 }
 
 TEST(FieldGlsl, computes_once_what_does_not_change_from_step_to_step) {
     // The sponge's steps need the point's coordinates, but nothing else of the point.
     const std::string code = field_glsl(field_of("translate(menger(2), (1, 0, 0))"), false).code;
-    const std::size_t loop = code.find("for (");
+    const std::size_t loop = code.find("while (");
     ASSERT_NE(loop, std::string::npos);
     EXPECT_LT(code.find("p.x - 1.0"), loop);
     EXPECT_EQ(code.find("p.x - 1.0", loop), std::string::npos);
+}
+
+TEST(FieldGlsl, makes_no_turn_in_vain) {
+    // The escape and the next turn share the square of the orbit's length; the test ends the turn.
+    const std::string code = field_glsl(field_of("julia((0, 0, 0, 0), 9)"), false).code;
+    const std::size_t loop = code.find("while (true)");
+    ASSERT_NE(loop, std::string::npos);
+    const std::size_t test = code.find("if (--left <= 0 || !inside) break;", loop);
+    ASSERT_NE(test, std::string::npos);
+    EXPECT_EQ(code.find_first_not_of(" \n}", code.find(';', test) + 1), code.find("real", test))
+        << "nothing of the turn stands behind the test";
+    const std::string turn = code.substr(loop, test - loop);
+    EXPECT_EQ(turn.find("sqrt"), std::string::npos) << turn;
+    EXPECT_NE(turn.find("c0"), std::string::npos) << turn;
+}
+
+TEST(FieldGlsl, takes_care_of_nan_only_where_it_can_be) {
+    const std::string sponge = field_glsl(field_of("menger(2)"), false).code;
+    EXPECT_TRUE(has(sponge, "zs_greater("));
+    EXPECT_FALSE(has(sponge, "zs_max("));
+    const std::string cut = field_glsl(field_of("max(log(x), y) <= z"), false).code;
+    EXPECT_TRUE(has(cut, "zs_max("));
+    EXPECT_FALSE(has(cut, "zs_greater("));
 }
 
 TEST(FieldGlsl, has_colours_only_if_a_leaf_has_one) {
