@@ -8,6 +8,23 @@
 #include "shader/field_code.h"
 
 namespace shader {
+namespace {
+
+/// Whether all leaves are iterations of the point itself or distances, in one piece of space.
+bool answers_balls(const FieldCode& code) {
+    bool iterates = false;
+    for (std::size_t i = 0; i < code.plan.objects.size(); ++i) {
+        const Object& object = code.plan.objects[i];
+        const field::Iteration* iteration = code.iteration(i);
+        const bool ball = iteration ? !iteration->image : code.is_distance(i);
+        if (!ball || object.blend || !object.cells.empty()) return false;
+        iterates = iterates || iteration;
+    }
+    return iterates;
+}
+
+}  // namespace
+
 FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands) {
     FieldCode code(std::move(field), demands);
     code.out.code += fmt::format("const bool zs_has_edges = {};\n", code.edges);
@@ -19,6 +36,7 @@ FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& 
     write_gradients(code);
     write_colours(code);
     code.out.has_edges = code.edges;
+    code.out.answers_balls = answers_balls(code);
     code.out.values = code.values.list();
     code.out.expressions = eval::make_tape(code.field.graph, code.values.expressions());
     return std::move(code.out);

@@ -27,6 +27,9 @@ struct FieldGlsl {
     bool needs_differences = false;  ///< for gradients
     bool has_colours = false;
     bool has_edges = false;  ///< a formula may be undefined somewhere
+    /// There are iterations, and answers do not depend on the direction: `free` is the radius of a
+    /// ball that holds no surface.
+    bool answers_balls = false;
 };
 
 /// Writes, for the tree and each leaf (object 0, 1, ... from left to right):

@@ -59,9 +59,23 @@ const Tracer& tracer_of(std::string_view name) {
     return found == table.end() ? table[0] : *found;
 }
 
+/// Whether rays go by the answers of a field alone, and those are balls.
+bool goes_by_balls(const FieldGlsl& generated, const Tracer& tracer) {
+    return generated.answers_balls && tracer.trace_part == "tracer/as_answered.glsl";
+}
+
 /// The part of shaders/ that finds the part of a tile's rays; empty: there is no pre-pass.
-std::string_view prepass_part(const Features& features) {
-    return features.whole_tiles ? "prepass/whole.glsl" : "";
+std::string_view prepass_part(const FieldGlsl& generated, const Tracer& tracer,
+                              const Features& features) {
+    if (features.whole_tiles) return "prepass/whole.glsl";
+    if (features.told_depth || !goes_by_balls(generated, tracer)) return "";
+    return "prepass/cone.glsl";
+}
+
+std::string_view trace_part(const FieldGlsl& generated, const Tracer& tracer,
+                            const Features& features) {
+    if (features.told_depth) return "tracer/told.glsl";
+    return goes_by_balls(generated, tracer) ? "tracer/ball.glsl" : tracer.trace_part;
 }
 
 std::string outputs_code(const Features& features, bool prepass) {
@@ -135,11 +149,12 @@ std::string prepass_text(const FieldGlsl& generated, const Tracer& tracer,
                          const Features& features) {
     Assembly assembly;
     add_field(assembly, generated, tracer, features);
-    assembly.add_part(prepass_part(features));
+    assembly.add_part(prepass_part(generated, tracer, features));
     assembly.add_code(
         fmt::format("layout(location = 0) out vec4 tile_out;\n"
                     "void write_tile(real2 part) {{ tile_out = vec4(part, {}, 0.0); }}\n",
                     features.outputs.count ? "float(zs_evaluations)" : "0.0"));
+    if (generated.needs_differences) assembly.add_part("normal/differences.glsl");
     assembly.add_part("prepass/main.glsl");
     return assembly.text();
 }
@@ -155,11 +170,11 @@ std::vector<TracerName> tracers() {
 ProgramSource program_source(const field::Field& field, const Features& features) {
     const Tracer& tracer = tracer_of(features.tracer);
     FieldGlsl generated = field_glsl(field, features.outputs.count, tracer.demands);
-    const bool prepass = !prepass_part(features).empty();
+    const bool prepass = !prepass_part(generated, tracer, features).empty();
     Assembly assembly;
     add_field(assembly, generated, tracer, features);
     assembly.add_part(prepass ? "prepass/part.glsl" : "prepass/none.glsl");
-    assembly.add_part(features.told_depth ? "tracer/told.glsl" : tracer.trace_part);
+    assembly.add_part(trace_part(generated, tracer, features));
     if (generated.needs_differences) assembly.add_part("normal/differences.glsl");
     assembly.add_part("normal/normal.glsl");
     if (features.outputs.picture || features.outputs.light)

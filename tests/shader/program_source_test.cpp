@@ -79,6 +79,26 @@ TEST(ProgramSource, has_a_pre_pass_only_if_tiles_are_wanted) {
     EXPECT_TRUE(with.same_text(program_source(field_of(plain), features)));
 }
 
+TEST(ProgramSource, goes_by_balls_only_where_all_answers_are) {
+    for (const char* text : {"mandelbulb()", "menger(3) & sphere(1)", "sphere(1) \\ julia()"}) {
+        const ProgramSource source = program_source(field_of(text), {});
+        EXPECT_TRUE(has(source.prepass, "zs_guess || r <= spread * t")) << text;
+        EXPECT_TRUE(has(source.fragment, "ball_rest(")) << text;
+        EXPECT_FALSE(has(source.fragment, "Settled")) << text;
+    }
+    for (const char* text : {"sphere(1)", "mandelbulb() | x*y <= 1", "repeat(menger(2), (3, 3, 3))",
+                             "smooth_union(menger(2), sphere(1), 0.1)", "twist(menger(2), z)"}) {
+        const ProgramSource source = program_source(field_of(text), {});
+        EXPECT_EQ(source.prepass, "") << text;
+        EXPECT_FALSE(has(source.fragment, "ball_rest(")) << text;
+    }
+    for (const char* tracer : {"march", "relaxed", "interval"}) {
+        Features features;
+        features.tracer = tracer;
+        EXPECT_EQ(program_source(field_of("menger(3)"), features).prepass, "") << tracer;
+    }
+}
+
 TEST(ProgramSource, shades_nothing_that_is_not_drawn) {
     Features features;
     features.grid = true;
