@@ -10,6 +10,7 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
     real least = 2e-3 * length(frame.bounds_half.xyz);
     real before = 0.0, step = 0.0;
     bool rising = false;
+    zs_aside = true;
     field_start(o, l, t0, t1);
     int steps = min(int(frame.march.x), 128);
     for (int i = 0; i < steps; ++i) {

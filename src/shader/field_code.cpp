@@ -10,6 +10,7 @@
 #include "passes/pipeline.h"
 #include "passes/rewrite.h"
 #include "passes/spell_out_lengths.h"
+#include "passes/polynomial_along.h"
 #include "shader/domain.h"
 
 namespace shader {
@@ -21,6 +22,7 @@ FieldCode::FieldCode(field::Field of, const Demands& demanded)
     spell_out_orbits();
     differentiate();
     if (demands.hessians) differentiate_twice();
+    if (demands.polynomials) find_coefficients();
     make_cheap();
     depends = depends_on_variables(field.graph);
     nan = may_be_nan(field);
@@ -80,6 +82,24 @@ void FieldCode::differentiate_twice() {
         const auto rows = passes::gradients(field.graph, gradients.at(object.id));
         hessians[object.id] = {rows[0][0], rows[1][1], rows[2][2],
                                rows[0][1], rows[0][2], rows[1][2]};
+    }
+}
+
+/// Of leaves that are asked at points of the ray itself.
+void FieldCode::find_coefficients() {
+    constexpr std::size_t largest_degree = 12;
+    std::array<graph::NodeId, 6> nodes{};
+    for (std::size_t i = 0; i < 6; ++i) {
+        ray[i] = field.graph.new_variable(std::string(i < 3 ? "c" : "e") + "xyz"[i % 3]);
+        nodes[i] = field.graph.variable(ray[i]);
+    }
+    const std::array point{nodes[0], nodes[1], nodes[2]}, vector{nodes[3], nodes[4], nodes[5]};
+    for (std::size_t i = 0; i < plan.objects.size(); ++i) {
+        const Object& object = plan.objects[i];
+        if (!formula(i) || is_distance(i) || object.blend || !object.cells.empty()) continue;
+        auto found =
+            passes::polynomial_along(field.graph, formula(i)->value, point, vector, largest_degree);
+        if (found && found->size() > 1) along[i] = std::move(*found);
     }
 }
 

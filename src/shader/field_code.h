@@ -29,7 +29,9 @@ struct FieldCode {
     std::map<field::FieldId, std::vector<Gradient>> wall_rates;    ///< of the walls of cells
     std::map<field::FieldId, std::vector<graph::NodeId>> weights;  ///< of a blend's operands
     std::map<field::FieldId, Gradient> displacements;              ///< of blends that have one
-    bool edges = false;  ///< a formula may be undefined somewhere
+    std::map<std::size_t, std::vector<graph::NodeId>> along;       ///< of objects: coefficients
+    std::array<graph::VariableId, 6> ray{};  ///< what those are made of: a point and a vector
+    bool edges = false;                      ///< a formula may be undefined somewhere
     std::vector<bool> depends;
     std::vector<bool> nan;  ///< of each node whether it may be NaN
     FieldValues values;
@@ -62,11 +64,16 @@ private:
     void spell_out_orbits();
     void differentiate();
     void differentiate_twice();
+    void find_coefficients();
     void make_cheap();
 };
 
 /// The functions of the leaves: value_i, distance_i, leaf_i.
 void write_leaves(FieldCode& code);
+
+/// The functions of an object that is a polynomial along the ray: coefficients_i(c, e), those of s
+/// for the point c + s e; leaf_i(s).
+void write_polynomial(FieldCode& code, std::size_t object);
 
 /// For each of plan.cells: cell_i (point, direction and way to the wall), cell_back_i (a gradient
 /// in the cell's coordinates as one outside), cell_index_i.

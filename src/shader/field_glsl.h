@@ -12,8 +12,9 @@ namespace shader {
 
 /// What a tracer asks of formulas beyond value and gradient.
 struct Demands {
-    bool hessians = false;   ///< the norm of the Hessian at each point, in place of bounds
-    bool intervals = false;  ///< enclosures of the tree over intervals of a ray
+    bool hessians = false;     ///< the norm of the Hessian at each point, in place of bounds
+    bool intervals = false;    ///< enclosures of the tree over intervals of a ray
+    bool polynomials = false;  ///< leaves that are polynomials along a ray of finite length
 };
 
 /// Generated code, and what it needs.

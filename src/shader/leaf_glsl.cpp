@@ -91,7 +91,9 @@ std::string region_bounds(FieldCode& code, std::size_t i) {
     return fmt::format("real3({}, {}, {})", lipschitz, second, first);
 }
 
-void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf) {
+/// The answer by value and gradient at the point.
+void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf,
+                  std::string_view name) {
     write_value_and_gradient(code, i, leaf);
     const auto hessian = code.hessians.find(code.plan.objects[i].id);
     const bool second_order = hessian != code.hessians.end();
@@ -103,13 +105,13 @@ void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf) {
               : fmt::format("formula_answer(f, g, d, {}, {})", bounds, i);
     if (sheet) code.out.code += fmt::format("real side_{0} = 0.0, now_{0} = 0.0;\n", i);
     code.out.code += fmt::format(
-        "Answer leaf_{0}(real3 p, real3 d) {{\n"
+        "Answer {4}_{0}(real3 p, real3 d) {{\n"
         "    real3 g;\n"
         "{2}"
         "    real f = value_{0}(p, g{3});\n"
         "    return {1};\n"
         "}}\n",
-        i, answer, second_order ? "    real m;\n" : "", second_order ? ", m" : "");
+        i, answer, second_order ? "    real m;\n" : "", second_order ? ", m" : "", name);
     code.needs(sheet ? "leaf/sheet.glsl" : "leaf/formula.glsl");
 }
 
@@ -121,8 +123,11 @@ void write_leaves(FieldCode& code) {
             write_iteration(code, i, *iteration);
         } else if (code.is_distance(i)) {
             write_distance(code, i, *code.formula(i));
+        } else if (code.along.contains(i)) {
+            write_scalar(code, i, *code.formula(i), "aside");
+            write_polynomial(code, i);
         } else {
-            write_scalar(code, i, *code.formula(i));
+            write_scalar(code, i, *code.formula(i), "leaf");
         }
     }
 }

@@ -25,7 +25,9 @@ constexpr std::array table{
     Tracer{{"auto",
             "certified steps from bounds of the first and second derivative, first order where "
             "those are too large (default)"},
-           "step/auto.glsl"},
+           "step/auto.glsl",
+           "tracer/as_answered.glsl",
+           {.polynomials = true}},
     Tracer{{"march",
             "steps of one length, the diagonal of the bounds over 7/8 of the steps: misses what is "
             "thinner"},
@@ -62,6 +64,15 @@ const Tracer& tracer_of(std::string_view name) {
 /// Whether rays go by the answers of a field alone, and those are balls.
 bool goes_by_balls(const FieldGlsl& generated, const Tracer& tracer) {
     return generated.answers_balls && tracer.trace_part == "tracer/as_answered.glsl";
+}
+
+/// Polynomials along a ray need one of finite length, and more than one step on it.
+Demands demands(const Tracer& tracer, const Features& features) {
+    Demands result = tracer.demands;
+    if (features.told_depth || !(features.bounds_sphere || features.bounds_box)) {
+        result.polynomials = false;
+    }
+    return result;
 }
 
 /// The part of shaders/ that finds the part of a tile's rays; empty: there is no pre-pass.
@@ -169,7 +180,7 @@ std::vector<TracerName> tracers() {
 
 ProgramSource program_source(const field::Field& field, const Features& features) {
     const Tracer& tracer = tracer_of(features.tracer);
-    FieldGlsl generated = field_glsl(field, features.outputs.count, tracer.demands);
+    FieldGlsl generated = field_glsl(field, features.outputs.count, demands(tracer, features));
     const bool prepass = !prepass_part(generated, tracer, features).empty();
     Assembly assembly;
     add_field(assembly, generated, tracer, features);

@@ -70,6 +70,7 @@ private:
                 if (std::ranges::count(watched_, cell) == 0) watched_.push_back(cell);
             }
         }
+        if (code_.along.contains(i)) return fmt::format("leaf_{}(s, {}, {})", i, place.p, place.d);
         return fmt::format("leaf_{}({}, {})", i, place.p, place.d);
     }
     std::string answer(FieldId, const field::Formula&, const Place& place, std::string&) {
@@ -141,6 +142,19 @@ private:
     int count_ = 0, cells_ = 0;
 };
 
+/// What is the same all along a ray.
+std::string ray_start(const FieldCode& code) {
+    if (code.along.empty()) return {};
+    std::string text =
+        "    zs_middle = 0.5 * (t0 + t1);\n"
+        "    zs_half = 0.5 * (t1 - t0);\n"
+        "    real3 c = o + zs_middle * d, e = zs_half * d;\n";
+    for (const auto& [object, coefficients] : code.along) {
+        text += fmt::format("    coefficients_{}(c, e);\n", object);
+    }
+    return text;
+}
+
 void write_sides(FieldCode& code, const std::vector<int>& watched_cells) {
     std::string start, accept;
     for (std::size_t i = 0; i < code.plan.objects.size(); ++i) {
@@ -152,10 +166,10 @@ void write_sides(FieldCode& code, const std::vector<int>& watched_cells) {
         code.out.code += fmt::format("real3 here_{0} = real3(0.0), before_{0} = here_{0};\n", cell);
         accept += fmt::format("    before_{0} = here_{0};\n", cell);
     }
+    code.out.code += fmt::format("void field_forget() {{\n{}}}\n", start);
     code.out.code += fmt::format(
-        "void field_forget() {{\n{}}}\n"
-        "void field_start(real3 o, real3 d, real t0, real t1) {{\n    field_forget();\n}}\n",
-        start);
+        "void field_start(real3 o, real3 d, real t0, real t1) {{\n    field_forget();\n{}}}\n",
+        ray_start(code));
     code.out.code += fmt::format("void field_accept() {{\n{}}}\n", accept);
 }
 
@@ -172,11 +186,12 @@ void write_tree(FieldCode& code, bool count_evaluations) {
         "    zs_undefined = 0;\n"
         "    zs_guess = false;\n"
         "    zs_point = p;\n"
-        "{}{}{}    return {};\n"
+        "{}{}{}{}    return {};\n"
         "}}\n",
         count_evaluations ? "int zs_evaluations = 0;\n" : "",
         code.plan.cells.empty() ? "" : "    zs_wall = zs_far;\n",
-        count_evaluations ? "    ++zs_evaluations;\n" : "", tree.body(), root);
+        count_evaluations ? "    ++zs_evaluations;\n" : "",
+        code.along.empty() ? "" : "    real s = (t - zs_middle) / zs_half;\n", tree.body(), root);
 }
 
 }  // namespace shader

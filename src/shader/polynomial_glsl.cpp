@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Leaves that are polynomials along the ray: coefficients once before it, then steps by Taylor's
+// formula. Everything is straight-line code over named numbers, which stay in registers.
+#include <fmt/format.h>
+
+#include "shader/field_code.h"
+
+namespace shader {
+namespace {
+
+/// Coefficients of s, as functions of the ray.
+void write_coefficients(FieldCode& code, std::size_t i) {
+    const std::vector<graph::NodeId>& along = code.along.at(i);
+    ExpressionWriter w = code.writer();
+    for (std::size_t k = 0; k < 6; ++k) {
+        w.name(code.ray[k], fmt::format("{}.{}", k < 3 ? "c" : "e", "xyz"[k % 3]));
+    }
+    std::string declarations, assignments;
+    for (std::size_t k = 0; k < along.size(); ++k) {
+        declarations += fmt::format("{}a{}_{} = 0.0", k > 0 ? ", " : "real ", i, k);
+    }
+    const std::string statements = w.statements(along, "    ");
+    for (std::size_t k = 0; k < along.size(); ++k) {
+        assignments += fmt::format("    a{}_{} = {};\n", i, k, w.spelling(along[k]));
+    }
+    code.out.code += fmt::format("{};\nvoid coefficients_{}(real3 c, real3 e) {{\n{}{}}}\n",
+                                 declarations, i, statements, assignments);
+    code.finish(w);
+}
+
+/// The coefficients b0, b1, ... about s: Horner's scheme, again and again (Shaw and Traub 1974).
+std::string shifted(std::size_t i, std::size_t degree) {
+    std::string text;
+    for (std::size_t k = 0; k <= degree; ++k) {
+        text += fmt::format("{}b{} = a{}_{}", k > 0 ? ", " : "    real ", k, i, k);
+    }
+    text += ";\n";
+    for (std::size_t first = 0; first < degree; ++first) {
+        for (std::size_t k = degree; k-- > first;) {
+            text += fmt::format("    b{} += s * b{};\n", k, k + 1);
+        }
+    }
+    return text;
+}
+
+/// The bend of a parabola that stays below |f| as far as r: of each term with the power k > 2 that
+/// makes |f| smaller, r^(k - 2) is at most that at the end.
+std::string bend(std::size_t degree, const std::string& r) {
+    if (degree < 3) return "k";
+    std::string text = fmt::format("c{}", degree);
+    for (std::size_t k = degree; k-- > 3;) text = fmt::format("(c{} + {} * {})", k, r, text);
+    return fmt::format("k + {} * {}", r, text);
+}
+
+/// How far from s no root is, in s: `way`.
+std::string certified_way(std::size_t degree) {
+    std::string text =
+        "    real v = abs(b0), sign = b0 < 0.0 ? -1.0 : 1.0, rest = 1.0 - s;\n"
+        "    real w = sign * b1;\n";
+    text += fmt::format("    real k = {};\n", degree < 2 ? "0.0" : "-sign * b2");
+    if (degree < 3) return text + "    real way = parabola_root(v, w, k);\n";
+    for (std::size_t k = 3; k <= degree; ++k) {
+        text += fmt::format("    real c{0} = max(-sign * b{0}, 0.0);\n", k);
+    }
+    text += "    real reach = min(2.0 * parabola_root(v, w, max(k, 0.0)), rest);\n";
+    text +=
+        fmt::format("    real way = min(parabola_root(v, w, {}), reach);\n", bend(degree, "reach"));
+    text += "    real within = sqrt(way * reach);\n";
+    text += fmt::format("    way = max(way, min(parabola_root(v, w, {}), within));\n",
+                        bend(degree, "within"));
+    return text + "    if (way >= rest) way = zs_far;\n";
+}
+
+}  // namespace
+
+void write_polynomial(FieldCode& code, std::size_t i) {
+    const std::size_t degree = code.along.at(i).size() - 1;
+    write_coefficients(code, i);
+    const bool sheet = code.is_sheet(i);
+    code.out.code += fmt::format(
+        "Answer leaf_{0}(real s, real3 p, real3 d) {{\n"
+        "    if (zs_aside) return aside_{0}(p, d);\n"
+        "{1}{2}",
+        i, shifted(i, degree), certified_way(degree));
+    const std::string second = degree < 2 ? "0.0" : "b2";
+    if (sheet) {
+        code.out.code += fmt::format(
+            "    real turn = sheet_turn(b0, side_{0}, now_{0});\n"
+            "    return answer_sheet(polynomial_answer(turn * b0, turn * b1, {1}, way, {0}), "
+            "turn);\n}}\n",
+            i, second);
+    } else {
+        code.out.code +=
+            fmt::format("    return polynomial_answer(b0, b1, {}, way, {});\n}}\n", second, i);
+    }
+    code.needs("leaf/polynomial.glsl");
+}
+
+}  // namespace shader
