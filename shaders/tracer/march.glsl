@@ -26,6 +26,7 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
     // Once for most rays; again behind a pole, or from the edge of a domain.
     for (int round = 0; round <= limit; ++round) {
         int event = zs_lost;
+        zs_aside = false;
         stride_start();
         while (result.steps < limit) {
             Answer a = stride_answer(o, d, t);

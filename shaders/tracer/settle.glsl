@@ -24,10 +24,13 @@ struct Settled {
 // From the march's last point `lo` and the point `hi` that ended it (equal if it is near), down to float
 // accuracy. The field is asked in one place only, whatever for: drivers put the whole field there.
 Settled settle(real3 o, real3 d, int event, real lo, real hi, int undefined_before, bool at_start) {
+    zs_aside = true;
     Bracket bracket = bracket_between(lo, hi);
     Touch touch;
     bool touching = false;
     real t = event == zs_entered ? 0.5 * (lo + hi) : lo;
+    // What is near by its coefficients may lie behind the surface by its formula.
+    if (zs_has_polynomials && event == zs_near) t -= 0.5 * march_epsilon(lo);
     Answer a;
     for (int i = 0; i < min(int(frame.march.x) + 96, 160); ++i) {
         a = field(o, d, t);
@@ -48,6 +51,7 @@ Settled settle(real3 o, real3 d, int event, real lo, real hi, int undefined_befo
             continue;
         }
         if (event == zs_near && a.free <= 0.0) {
+            if (!touching) return Settled(true, lo, a);
             // Crossed while coming closer.
             event = zs_crossed;
             bracket = bracket_between(touch.t, t);
