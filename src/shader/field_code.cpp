@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "passes/differentiate.h"
+#include "passes/operation_count.h"
 #include "passes/pipeline.h"
 #include "passes/rewrite.h"
 #include "passes/spell_out_lengths.h"
@@ -85,21 +86,33 @@ void FieldCode::differentiate_twice() {
     }
 }
 
-/// Of leaves that are asked at points of the ray itself.
+/// Of leaves that are asked at points of the ray itself. Coefficients live as long as the ray:
+/// where there are many leaves they would fill the registers and are not worth it.
 void FieldCode::find_coefficients() {
-    constexpr std::size_t largest_degree = 12;
+    constexpr std::size_t largest_degree = 12, most_leaves = 16, most_evaluations = 8;
+    std::vector<std::size_t> leaves;
+    for (std::size_t i = 0; i < plan.objects.size(); ++i) {
+        const Object& object = plan.objects[i];
+        if (!formula(i) || is_distance(i) || object.blend || !object.cells.empty()) continue;
+        leaves.push_back(i);
+    }
+    if (leaves.size() > most_leaves) return;
     std::array<graph::NodeId, 6> nodes{};
     for (std::size_t i = 0; i < 6; ++i) {
         ray[i] = field.graph.new_variable(std::string(i < 3 ? "c" : "e") + "xyz"[i % 3]);
         nodes[i] = field.graph.variable(ray[i]);
     }
     const std::array point{nodes[0], nodes[1], nodes[2]}, vector{nodes[3], nodes[4], nodes[5]};
-    for (std::size_t i = 0; i < plan.objects.size(); ++i) {
-        const Object& object = plan.objects[i];
-        if (!formula(i) || is_distance(i) || object.blend || !object.cells.empty()) continue;
-        auto found =
-            passes::polynomial_along(field.graph, formula(i)->value, point, vector, largest_degree);
-        if (found && found->size() > 1) along[i] = std::move(*found);
+    const auto operations = [&](std::span<const graph::NodeId> roots) {
+        return passes::count_operations(field.graph, roots).multiplied_out;
+    };
+    for (const std::size_t i : leaves) {
+        const graph::NodeId f = formula(i)->value;
+        auto found = passes::polynomial_along(field.graph, f, point, vector, largest_degree);
+        if (!found || found->size() < 2) continue;
+        const Gradient& g = gradients.at(plan.objects[i].id);
+        const std::size_t evaluation = operations(std::array{f, g[0], g[1], g[2]});
+        if (operations(*found) <= most_evaluations * evaluation) along[i] = std::move(*found);
     }
 }
 
