@@ -26,7 +26,8 @@ real bracket_guess(Bracket b) {
 void bracket_add(inout Bracket b, real t, Answer a) {
     if (b.asked == 0) b.first_value = abs(a.value);
     ++b.asked;
-    if (b.asked > 1 && a.free <= 0.0) {
+    // The inner end counts as such even if the formula's rounding puts the change a little behind it.
+    if (b.asked == 2 || (b.asked > 2 && a.free <= 0.0)) {
         b.hi = t;
         b.inside = a;
     } else {

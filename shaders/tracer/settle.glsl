@@ -24,13 +24,12 @@ struct Settled {
 // From the march's last point `lo` and the point `hi` that ended it (equal if it is near), down to float
 // accuracy. The field is asked in one place only, whatever for: drivers put the whole field there.
 Settled settle(real3 o, real3 d, int event, real lo, real hi, int undefined_before, bool at_start) {
+    // The formula itself is more exact than its coefficients along the ray.
     zs_aside = true;
     Bracket bracket = bracket_between(lo, hi);
     Touch touch;
     bool touching = false;
     real t = event == zs_entered ? 0.5 * (lo + hi) : lo;
-    // What is near by its coefficients may lie behind the surface by its formula.
-    if (zs_has_polynomials && event == zs_near) t -= 0.5 * march_epsilon(lo);
     Answer a;
     for (int i = 0; i < min(int(frame.march.x) + 96, 160); ++i) {
         a = field(o, d, t);

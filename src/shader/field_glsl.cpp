@@ -27,9 +27,7 @@ bool answers_balls(const FieldCode& code) {
 
 FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands) {
     FieldCode code(std::move(field), demands);
-    code.out.code +=
-        fmt::format("const bool zs_has_edges = {};\nconst bool zs_has_polynomials = {};\n",
-                    code.edges, !code.along.empty());
+    code.out.code += fmt::format("const bool zs_has_edges = {};\n", code.edges);
     write_leaves(code);
     write_cells(code);
     write_blends(code);

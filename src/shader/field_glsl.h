@@ -35,7 +35,6 @@ struct FieldGlsl {
 
 /// Writes, for the tree and each leaf (object 0, 1, ... from left to right):
 ///   zs_has_edges                    whether a leaf may be undefined somewhere
-///   zs_has_polynomials              whether a leaf is followed by its coefficients along the ray
 ///   void field_start(o, d, t0, t1)  before a ray, of which only [t0, t1] will be asked for
 ///   Answer field(o, d, t)           the answer of the whole tree at o + t d, along the unit vector
 ///   d void field_accept()             after the ray has gone on to the point last asked for void

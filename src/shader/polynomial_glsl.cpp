@@ -8,7 +8,7 @@
 namespace shader {
 namespace {
 
-/// Coefficients of s, as functions of the ray.
+/// Coefficients of s, as functions of the ray, divided by the sum of their sizes.
 void write_coefficients(FieldCode& code, std::size_t i) {
     const std::vector<graph::NodeId>& along = code.along.at(i);
     ExpressionWriter w = code.writer();
@@ -20,9 +20,12 @@ void write_coefficients(FieldCode& code, std::size_t i) {
         declarations += fmt::format("{}a{}_{} = 0.0", k > 0 ? ", " : "real ", i, k);
     }
     const std::string statements = w.statements(along, "    ");
+    std::string size;
     for (std::size_t k = 0; k < along.size(); ++k) {
-        assignments += fmt::format("    a{}_{} = {};\n", i, k, w.spelling(along[k]));
+        size += fmt::format("{}abs({})", k > 0 ? " + " : "", w.spelling(along[k]));
+        assignments += fmt::format("    a{}_{} = scale * {};\n", i, k, w.spelling(along[k]));
     }
+    assignments = fmt::format("    real scale = 1.0 / ({});\n", size) + assignments;
     code.out.code += fmt::format("{};\nvoid coefficients_{}(real3 c, real3 e) {{\n{}{}}}\n",
                                  declarations, i, statements, assignments);
     code.finish(w);
@@ -55,7 +58,8 @@ std::string bend(std::size_t degree, const std::string& r) {
 /// How far from s no root is, in s: `way`.
 std::string certified_way(std::size_t degree) {
     std::string text =
-        "    real v = abs(b0), sign = b0 < 0.0 ? -1.0 : 1.0, rest = 1.0 - s;\n"
+        "    real v = abs(b0) - zs_polynomial_error;\n"
+        "    real sign = b0 < 0.0 ? -1.0 : 1.0, rest = 1.0 - s;\n"
         "    real w = sign * b1;\n";
     text += fmt::format("    real k = {};\n", degree < 2 ? "0.0" : "-sign * b2");
     if (degree < 3) return text + "    real way = parabola_root(v, w, k);\n";
@@ -77,10 +81,11 @@ void write_polynomial(FieldCode& code, std::size_t i) {
     const std::size_t degree = code.along.at(i).size() - 1;
     write_coefficients(code, i);
     const bool sheet = code.is_sheet(i);
+    // Not a number is not greater.
     code.out.code += fmt::format(
-        "Answer leaf_{0}(real s, real3 p, real3 d) {{\n"
-        "    if (zs_aside) return aside_{0}(p, d);\n"
-        "{1}{2}",
+        "Answer leaf_{0}(real s, real3 p, real3 d) {{\n{1}"
+        "    if (zs_aside || !(abs(b0) > zs_polynomial_error)) return aside_{0}(p, d);\n"
+        "{2}",
         i, shifted(i, degree), certified_way(degree));
     const std::string second = degree < 2 ? "0.0" : "b2";
     if (sheet) {
