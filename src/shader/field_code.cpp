@@ -9,9 +9,9 @@
 #include "passes/differentiate.h"
 #include "passes/operation_count.h"
 #include "passes/pipeline.h"
+#include "passes/polynomial_along.h"
 #include "passes/rewrite.h"
 #include "passes/spell_out_lengths.h"
-#include "passes/polynomial_along.h"
 #include "shader/domain.h"
 
 namespace shader {
@@ -89,7 +89,8 @@ void FieldCode::differentiate_twice() {
 /// Of leaves that are asked at points of the ray itself. Coefficients live as long as the ray:
 /// where there are many leaves they would fill the registers and are not worth it.
 void FieldCode::find_coefficients() {
-    constexpr std::size_t largest_degree = 12, most_leaves = 16, most_evaluations = 8;
+    constexpr std::size_t least_degree = 3, largest_degree = 12, most_leaves = 16,
+                          most_evaluations = 8;
     std::vector<std::size_t> leaves;
     for (std::size_t i = 0; i < plan.objects.size(); ++i) {
         const Object& object = plan.objects[i];
@@ -109,7 +110,7 @@ void FieldCode::find_coefficients() {
     for (const std::size_t i : leaves) {
         const graph::NodeId f = formula(i)->value;
         auto found = passes::polynomial_along(field.graph, f, point, vector, largest_degree);
-        if (!found || found->size() < 2) continue;
+        if (!found || found->size() <= least_degree) continue;
         const Gradient& g = gradients.at(plan.objects[i].id);
         const std::size_t evaluation = operations(std::array{f, g[0], g[1], g[2]});
         if (operations(*found) <= most_evaluations * evaluation) along[i] = std::move(*found);

@@ -33,7 +33,7 @@ class Statistics(Folder):
         self.assertGreater(pixels["hit"], 0)
         self.assertGreater(pixels["miss"], 0)
         self.assertEqual(pixels["unresolved"], 0)
-        few = self.stats("--steps", "2")["pixels"]
+        few = self.stats("--steps", "1")["pixels"]
         self.assertEqual(few["hit"] + few["miss"] + few["unresolved"], 40 * 30)
         self.assertGreater(few["unresolved"], 0)
 
