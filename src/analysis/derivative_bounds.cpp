@@ -6,15 +6,13 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/spectral_norm.h"
+#include "analysis/cell_derivatives.h"
 #include "numeric/jet.h"
 
 namespace analysis {
 namespace {
 
-using numeric::Dual;
 using numeric::Interval;
-using numeric::SecondOrder;
 
 /// A formula with its parameters loaded, evaluated on numbers of one kind.
 template <class T>
@@ -58,23 +56,6 @@ private:
     Evaluator<numeric::Jet<double, 3, order>> at_;
 };
 
-bool breaks(const Interval& f) { return f.partial || f.jumps; }
-
-/// True if an enclosure says nothing about the derivative at some point where f has a value: the
-/// formula of the derivative may be undefined there.
-bool has_gap(std::span<const Interval> derivatives, const Interval& f) {
-    return std::ranges::any_of(
-        derivatives, [&](const Interval& d) { return d.is_empty() || (d.partial && !f.partial); });
-}
-
-template <class T>
-Symmetric<T> matrix(const std::array<T, 6>& hessian) {
-    const auto entry = [&](int i, int j) {
-        return hessian[static_cast<std::size_t>(numeric::triangle_place(i, j, 3))];
-    };
-    return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
-}
-
 /// The largest value that was found in a region; to be asked again only where more is possible.
 class Sampled {
 public:
@@ -96,32 +77,13 @@ private:
     double largest_ = 0;
 };
 
-double gradient_on(const Dual<Interval>& f) {
-    if (f.value.is_empty()) return 0;
-    if (has_gap(f.gradient, f.value)) return numeric::infinity;
-    const auto [dx, dy, dz] = f.gradient;
-    return sqrt(square(dx) + square(dy) + square(dz)).hi;
-}
-
-/// A rough bound where even that is below `known`, which the supremum is above.
-double second_derivative_on(const SecondOrder<Interval>& f, double known) {
-    if (f.value.is_empty()) return 0;
-    const bool kinks = std::ranges::any_of(f.gradient, &Interval::jumps);
-    if (kinks || has_gap(f.gradient, f.value) || has_gap(f.hessian, f.value)) {
-        return numeric::infinity;
-    }
-    const Symmetric<Interval> hessian = matrix(f.hessian);
-    const double rough = frobenius_norm_bound(hessian);
-    return rough <= known ? rough : spectral_norm_bound(hessian);
-}
-
 }  // namespace
 
 bool may_break(const eval::Tape& f, const Region& region, std::span<const double> parameters,
                const Effort& effort) {
     Evaluator<Interval> evaluator(f, parameters);
     const double proven = supremum_bound(region, effort, [&](const Cell& cell) {
-        return CellBounds{breaks(evaluator(cell.sides())) ? numeric::infinity : 0, 0};
+        return CellBounds{may_break_on(evaluator(cell.sides())) ? numeric::infinity : 0, 0};
     });
     return proven != 0;
 }
@@ -131,7 +93,7 @@ double gradient_bound(const eval::Tape& f, const Region& region, std::span<const
     JetEvaluator<1> evaluator(f, parameters);
     Sampled sampled(region);
     return supremum_bound(region, effort, [&](const Cell& cell) {
-        const double upper = gradient_on(evaluator.over(cell));
+        const double upper = gradient_bound_on(evaluator.over(cell));
         const double lower = sampled.at_middle(cell, upper, [&](glm::dvec3 point) {
             const auto [dx, dy, dz] = evaluator.at(point).gradient;
             return numeric::hypot3(dx, dy, dz);
@@ -145,10 +107,10 @@ double second_derivative_bound(const eval::Tape& f, const Region& region,
     JetEvaluator<2> evaluator(f, parameters);
     Sampled sampled(region);
     return supremum_bound(region, effort, [&](const Cell& cell) {
-        const double upper = second_derivative_on(evaluator.over(cell), sampled.largest());
+        const double upper = second_derivative_bound_on(evaluator.over(cell), sampled.largest());
         const double lower = sampled.at_middle(cell, upper, [&](glm::dvec3 point) {
             // The bound of a norm is above it by 2 % at most.
-            return 0.98 * spectral_norm_bound(matrix(evaluator.at(point).hessian));
+            return 0.98 * spectral_norm_bound(hessian_matrix(evaluator.at(point).hessian));
         });
         return CellBounds{upper, lower};
     });

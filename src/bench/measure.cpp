@@ -225,7 +225,7 @@ base::Status Measurement::add_limit() {
     told_ = std::move(*texture);
     told_->bind();
     const scene::Document own = document("auto", {});
-    shader::Features picture = compile::features(own, picture_only);
+    shader::Features picture = compile::features(subject_.formula, own, picture_only);
     picture.told_depth = true;
     picture.shadows = false;
     shader::Features counting = picture;
@@ -282,7 +282,7 @@ base::Status Measurement::add_passes(const std::string& tracer) {
     const auto entry = static_cast<std::size_t>(found - report.entries.data());
     report.entries[entry].passes = Passes{};
     const scene::Document own = document(tracer, {});
-    const shader::Features whole = compile::features(own, picture_only);
+    const shader::Features whole = compile::features(subject_.formula, own, picture_only);
     shader::Features geometry = whole, normal = whole, shading = whole;
     geometry.show_steps = true;
     normal.show_normals = true;

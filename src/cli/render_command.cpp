@@ -47,13 +47,13 @@ struct Run {
     const RenderOptions& options;
     render::Context& context;
     double analyse_seconds = 0;
+    shader::FieldNumbers numbers{};  ///< of the last draw
 
     base::Result<render::Still> draw(const shader::Outputs& outputs, int repeat) {
         const auto start = std::chrono::steady_clock::now();
         const shader::ProgramSource source =
             compile::program_source(input.formula, input.document, outputs);
-        const shader::FieldNumbers numbers =
-            compile::field_numbers(input.formula, source, input.document);
+        numbers = compile::field_numbers(input.formula, source, input.document);
         analyse_seconds = seconds_since(start);
         const scene::Document& document = input.document;
         const auto frame_of = [&document](const render::View& view) {
@@ -85,7 +85,9 @@ base::Result<std::string> stats_of(Run& run, const render::Still& still) {
                               .renderer = run.context.renderer(),
                               .parse_seconds = run.input.parse_seconds,
                               .analyse_seconds = run.analyse_seconds,
-                              .evaluations = *evaluations});
+                              .evaluations = *evaluations,
+                              .bricks = run.numbers.bricks,
+                              .brick_seconds = run.numbers.brick_seconds});
 }
 
 bool write(const RenderOutputs& outputs, const render::Still& still, const std::string& stats) {

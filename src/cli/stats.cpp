@@ -8,6 +8,23 @@
 #include "shader/program_source.h"
 
 namespace cli {
+namespace {
+
+/// How many bricks there are, in how many of them no surface is, and in how many that may have one
+/// steps are certified; and how long that took.
+nlohmann::ordered_json bricks_json(const shader::BrickTexels& bricks, double seconds) {
+    std::size_t empty = 0, certified = 0;
+    for (std::size_t i = 0; i < bricks.texels.size(); i += 2) {
+        const bool holds_nothing = bricks.texels[i + 1] < 0;
+        empty += holds_nothing;
+        certified += !holds_nothing && bricks.texels[i] > 0;
+    }
+    return {
+        {"formulas", bricks.grids}, {"side", bricks.side},    {"count", bricks.texels.size() / 2},
+        {"empty", empty},           {"certified", certified}, {"seconds", seconds}};
+}
+
+}  // namespace
 
 std::string stats_json(const render::Still& still, const RunFacts& facts) {
     std::array<long long, 3> count{};
@@ -36,6 +53,7 @@ std::string stats_json(const render::Still& still, const RunFacts& facts) {
                       {"unresolved", count[static_cast<int>(shader::Status::unresolved)]}};
     json["steps"] = {{"mean", steps / pixels}, {"most", most_steps}};
     if (facts.evaluations) json["evaluations"] = static_cast<long long>(*facts.evaluations);
+    if (facts.bricks) json["bricks"] = bricks_json(*facts.bricks, facts.brick_seconds);
     return json.dump(2) + '\n';
 }
 

@@ -2,10 +2,12 @@
 // The statistics of a render as JSON (`--stats`).
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "render/still.h"
+#include "shader/field_numbers.h"
 
 namespace cli {
 
@@ -14,7 +16,9 @@ struct RunFacts {
     std::string tracer, backend, renderer;
     double parse_seconds = 0;
     double analyse_seconds = 0;
-    std::optional<double> evaluations;  ///< field evaluations of the primary rays
+    std::optional<double> evaluations;                  ///< field evaluations of the primary rays
+    std::shared_ptr<const shader::BrickTexels> bricks;  ///< if the program reads any
+    double brick_seconds = 0;
 };
 
 /// One JSON object, indented, with a newline at the end. The still needs its geometry.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "compile/compile.h"
 
+#include <chrono>
 #include <cmath>
 
+#include "compile/brick_texels.h"
 #include "compile/visible_region.h"
 #include "eval/tape.h"
 #include "formula/lower.h"
@@ -56,13 +58,16 @@ base::Result<Formula> compile_formula(std::string_view text) {
                     std::move(lowered->warnings),
                     lowered->result,
                     std::move(lowered->comparisons),
+                    {},
                     {}};
     passes::run(formula.field);
     formula.tapes = bound_tapes(formula.field);
+    formula.bricks = brick_leaves(formula.field, formula.tapes);
     return formula;
 }
 
-shader::Features features(const scene::Document& document, const shader::Outputs& outputs) {
+shader::Features features(const Formula& formula, const scene::Document& document,
+                          const shader::Outputs& outputs) {
     const scene::Settings& settings = document.settings;
     shader::Features features;
     features.tracer = settings.tracer;
@@ -71,13 +76,15 @@ shader::Features features(const scene::Document& document, const shader::Outputs
     features.shadows = settings.shadows;
     features.grid = settings.grid;
     features.show_steps = settings.show_steps;
+    features.bricks = formula.bricks;
+    features.skip_empty_bricks = has_scene_bricks(formula.field);
     features.outputs = outputs;
     return features;
 }
 
 shader::ProgramSource program_source(const Formula& formula, const scene::Document& document,
                                      shader::Outputs outputs) {
-    return shader::program_source(formula.field, features(document, outputs));
+    return shader::program_source(formula.field, features(formula, document, outputs));
 }
 
 shader::FieldNumbers field_numbers(const Formula& formula, const shader::ProgramSource& source,
@@ -92,6 +99,14 @@ shader::FieldNumbers field_numbers(const Formula& formula, const shader::Program
     for (const FieldValue& value : source.field_values) {
         const bool is_expression = value.what == FieldValue::What::expression;
         numbers.values.push_back(number(value, bounds, is_expression ? expressions[next++] : 0));
+    }
+    if (!source.bricks.empty() || source.scene_bricks) {
+        const auto start = std::chrono::steady_clock::now();
+        numbers.bricks =
+            brick_texels(formula.field, formula.tapes, source.bricks, source.scene_bricks,
+                         visible_region(document.bounds), parameters);
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        numbers.brick_seconds = taken.count();
     }
     return numbers;
 }

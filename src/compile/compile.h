@@ -26,13 +26,15 @@ struct Formula {
     /// Leaves that are comparisons as they stand in the text.
     std::map<field::FieldId, base::SourceSpan> comparisons;
     BoundTapes tapes;
+    std::vector<field::FieldId> bricks;  ///< leaves that are known brick by brick
 };
 
 /// Spans are bytes of the text. All problems are reported, not only the first.
 base::Result<Formula> compile_formula(std::string_view text);
 
-/// What of a document changes the program.
-shader::Features features(const scene::Document& document, const shader::Outputs& outputs);
+/// What of a formula and a document changes the program beside the field.
+shader::Features features(const Formula& formula, const scene::Document& document,
+                          const shader::Outputs& outputs);
 
 /// The program that draws this document's picture; depends on the formula and on what is switched
 /// on, never on a parameter's value. `outputs` says what is written per pixel.

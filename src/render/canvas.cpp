@@ -91,6 +91,7 @@ base::Result<Canvas> Canvas::create(const Gl& gl, int width, int height,
 
     Canvas canvas;
     canvas.gl_ = &gl;
+    canvas.bricks_.emplace(gl);
     canvas.width_ = width;
     canvas.height_ = height;
     gl.CreateFramebuffers(1, &canvas.framebuffer_);
@@ -138,6 +139,7 @@ Canvas& Canvas::operator=(Canvas&& other) noexcept {
     std::swap(geometry_, other.geometry_);
     std::swap(normal_, other.normal_);
     std::swap(light_, other.light_);
+    std::swap(bricks_, other.bricks_);
     std::swap(frame_buffer_object_, other.frame_buffer_object_);
     std::swap(values_buffer_object_, other.values_buffer_object_);
     std::swap(tile_parts_, other.tile_parts_);
@@ -179,6 +181,7 @@ void Canvas::draw_from(Pass first, const Canvas& kept, const Program& program, c
                        GL_STREAM_DRAW);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer_object_);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, values_binding, values_buffer_object_);
+    bricks_->bind(numbers.bricks);
 
     set_state(gl);
     gl.BindVertexArray(vertex_array_);

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "image/image.h"
+#include "render/brick_texture.h"
 #include "render/frame.h"
 #include "render/gl.h"
 #include "render/passes.h"
@@ -61,6 +62,7 @@ private:
     int width_ = 0, height_ = 0;
     GLuint framebuffer_ = 0, vertex_array_ = 0;
     GLuint picture_ = 0, geometry_ = 0, normal_ = 0, light_ = 0;
+    std::optional<BrickTexture> bricks_;
     GLuint frame_buffer_object_ = 0, values_buffer_object_ = 0;
     std::optional<TileParts> tile_parts_;  ///< always there in a canvas that can be drawn into
 };

@@ -138,6 +138,12 @@ void FieldCode::make_cheap() {
     for (std::size_t i = 0; i < places.size(); ++i) *places[i] = cheap[i];
 }
 
+std::optional<std::size_t> FieldCode::brick_grid(std::size_t object) const {
+    const auto found = std::ranges::find(out.bricks, plan.objects[object].id);
+    if (found == out.bricks.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - out.bricks.begin());
+}
+
 ExpressionWriter FieldCode::writer(const std::string& p) {
     return {field.graph,
             depends,

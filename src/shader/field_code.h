@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "shader/expression_glsl.h"
@@ -53,6 +54,8 @@ struct FieldCode {
         return formula(object) && formula(object)->metric == field::Metric::distance &&
                !is_sheet(object);
     }
+    /// Which grid of bricks the leaf is known by.
+    std::optional<std::size_t> brick_grid(std::size_t object) const;
     /// Writes expressions of the point that GLSL calls `p`.
     ExpressionWriter writer(const std::string& p = "p");
     /// Keeps what the statements of a writer need.

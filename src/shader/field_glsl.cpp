@@ -25,8 +25,11 @@ bool answers_balls(const FieldCode& code) {
 
 }  // namespace
 
-FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands) {
+FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands,
+                     std::vector<field::FieldId> bricks) {
     FieldCode code(std::move(field), demands);
+    if (demands.bricks) code.out.bricks = std::move(bricks);
+    if (!code.out.bricks.empty()) code.needs("brick/brick.glsl");
     code.out.code += fmt::format("const bool zs_has_edges = {};\n", code.edges);
     write_leaves(code);
     write_cells(code);

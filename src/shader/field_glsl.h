@@ -15,6 +15,7 @@ struct Demands {
     bool hessians = false;     ///< the norm of the Hessian at each point, in place of bounds
     bool intervals = false;    ///< enclosures of the tree over intervals of a ray
     bool polynomials = false;  ///< leaves that are polynomials along a ray of finite length
+    bool bricks = false;       ///< bounds brick by brick, where they are known
 };
 
 /// Generated code, and what it needs.
@@ -24,8 +25,9 @@ struct FieldGlsl {
     std::set<std::string> leaf_parts;      ///< likewise
     std::set<std::string> interval_parts;  ///< likewise, after those
     std::vector<FieldValue> values;
-    eval::Tape expressions;          ///< those among the values, in their order
-    bool needs_differences = false;  ///< for gradients
+    std::vector<field::FieldId> bricks;  ///< that are read brick by brick, in the order of grids
+    eval::Tape expressions;              ///< those among the values, in their order
+    bool needs_differences = false;      ///< for gradients
     bool has_colours = false;
     bool has_edges = false;  ///< a formula may be undefined somewhere
     /// There are iterations, and answers do not depend on the direction: `free` is the radius of a
@@ -45,6 +47,8 @@ struct FieldGlsl {
 ///   bool object_colour(i, p, colour)  a leaf's own colour, if it has one; only if some leaf has
 ///   Enclosure enclose(o, d, t)      the whole tree over the interval t of the ray; only on demand
 /// The field's graph gets the derivatives' nodes, hence the copy.
-FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands = {});
+/// `bricks` are the formulas that are known brick by brick.
+FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands = {},
+                     std::vector<field::FieldId> bricks = {});
 
 }  // namespace shader

@@ -2,16 +2,34 @@
 // What a program is fed with beside the frame: the numbers of its field.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 namespace shader {
 
+/// Bounds of formulas brick by brick, as shaders/brick/brick.glsl reads them: a grid of side^3
+/// pairs for each of ProgramSource::bricks, one above the other; then one for the whole scene if
+/// ProgramSource::scene_bricks.
+struct BrickTexels {
+    int side = 1;
+    int grids = 1;
+    std::vector<float> texels;  ///< two for each brick, x fastest
+
+    friend bool operator==(const BrickTexels&, const BrickTexels&) = default;
+};
+
 /// The numbers of one frame that come from the formula and its parameters; made by compile/ for a
 /// ProgramSource, handed over by render/.
 struct FieldNumbers {
-    std::vector<float> values;  ///< in the order of ProgramSource::field_values
+    std::vector<float> values;                  ///< in the order of ProgramSource::field_values
+    std::shared_ptr<const BrickTexels> bricks;  ///< none if the program uses none
+    double brick_seconds = 0;                   ///< what finding them took; not compared
 
-    friend bool operator==(const FieldNumbers&, const FieldNumbers&) = default;
+    friend bool operator==(const FieldNumbers& a, const FieldNumbers& b) {
+        const bool same_bricks =
+            a.bricks == b.bricks || (a.bricks && b.bricks && *a.bricks == *b.bricks);
+        return a.values == b.values && same_bricks;
+    }
 };
 
 }  // namespace shader

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The functions of leaves.
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -98,20 +99,26 @@ void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf,
     const auto hessian = code.hessians.find(code.plan.objects[i].id);
     const bool second_order = hessian != code.hessians.end();
     if (second_order) write_second_order(code, i, leaf, hessian->second);
-    const std::string bounds = second_order ? "real3(0.0, m, 0.0)" : region_bounds(code, i);
+    const std::optional<std::size_t> grid = code.brick_grid(i);
+    const std::string bounds = second_order ? "real3(0.0, m, 0.0)"
+                               : grid       ? "brick.bounds"
+                                            : region_bounds(code, i);
     const bool sheet = leaf.kind == field::Kind::sheet;
     const std::string answer =
         sheet ? fmt::format("sheet_answer(f, g, d, {}, side_{}, now_{}, {})", bounds, i, i, i)
               : fmt::format("formula_answer(f, g, d, {}, {})", bounds, i);
     if (sheet) code.out.code += fmt::format("real side_{0} = 0.0, now_{0} = 0.0;\n", i);
     code.out.code += fmt::format(
-        "Answer {4}_{0}(real3 p, real3 d) {{\n"
+        "Answer {5}_{0}(real3 p, real3 d) {{\n"
         "    real3 g;\n"
         "{2}"
         "    real f = value_{0}(p, g{3});\n"
+        "{4}"
         "    return {1};\n"
         "}}\n",
-        i, answer, second_order ? "    real m;\n" : "", second_order ? ", m" : "", name);
+        i, grid ? "answer_in_brick(" + answer + ", brick)" : answer,
+        second_order ? "    real m;\n" : "", second_order ? ", m" : "",
+        grid ? fmt::format("    Brick brick = brick_at({}, p, d);\n", *grid) : "", name);
     code.needs(sheet ? "leaf/sheet.glsl" : "leaf/formula.glsl");
 }
 

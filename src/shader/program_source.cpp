@@ -27,7 +27,7 @@ constexpr std::array table{
             "those are too large (default)"},
            "step/auto.glsl",
            "tracer/as_answered.glsl",
-           {.polynomials = true}},
+           {.polynomials = true, .bricks = true}},
     Tracer{{"march",
             "steps of one length, the diagonal of the bounds over 7/8 of the steps: misses what is "
             "thinner"},
@@ -61,6 +61,13 @@ const Tracer& tracer_of(std::string_view name) {
     return found == table.end() ? table[0] : *found;
 }
 
+/// Without bounds rays meet what no brick tells of.
+bool skips_bricks(const Features& features) {
+    const bool bounded = features.bounds_sphere || features.bounds_box;
+    return features.skip_empty_bricks && bounded && !features.told_depth &&
+           tracer_of(features.tracer).demands.bricks;
+}
+
 /// Whether rays go by the answers of a field alone, and those are balls.
 bool goes_by_balls(const FieldGlsl& generated, const Tracer& tracer) {
     return generated.answers_balls && tracer.trace_part == "tracer/as_answered.glsl";
@@ -79,6 +86,7 @@ Demands demands(const Tracer& tracer, const Features& features) {
 std::string_view prepass_part(const FieldGlsl& generated, const Tracer& tracer,
                               const Features& features) {
     if (features.whole_tiles) return "prepass/whole.glsl";
+    if (skips_bricks(features)) return "prepass/bricks.glsl";
     if (features.told_depth || !goes_by_balls(generated, tracer)) return "";
     return "prepass/cone.glsl";
 }
@@ -144,6 +152,11 @@ void add_field(Assembly& assembly, const FieldGlsl& generated, const Tracer& tra
     assembly.add_part("common/answer.glsl");
     for (const std::string& part : generated.operator_parts) assembly.add_part(part);
     assembly.add_part(tracer.step_part);
+    if (!generated.bricks.empty() || skips_bricks(features)) {
+        assembly.add_code(
+            fmt::format("const bool zs_has_bounds = {};\nconst int zs_scene_grid = {};\n",
+                        features.bounds_sphere || features.bounds_box, generated.bricks.size()));
+    }
     for (const std::string& part : generated.leaf_parts) assembly.add_part(part);
     if (tracer.demands.intervals) {
         assembly.add_code(fmt::format("const bool zs_may_be_empty = {};\n", generated.has_edges));
@@ -180,7 +193,8 @@ std::vector<TracerName> tracers() {
 
 ProgramSource program_source(const field::Field& field, const Features& features) {
     const Tracer& tracer = tracer_of(features.tracer);
-    FieldGlsl generated = field_glsl(field, features.outputs.count, demands(tracer, features));
+    FieldGlsl generated =
+        field_glsl(field, features.outputs.count, demands(tracer, features), features.bricks);
     const bool prepass = !prepass_part(generated, tracer, features).empty();
     Assembly assembly;
     add_field(assembly, generated, tracer, features);
@@ -195,8 +209,13 @@ ProgramSource program_source(const field::Field& field, const Features& features
     Assembly vertex;
     vertex.add_part("output/vertex.glsl");
     std::string before = prepass ? prepass_text(generated, tracer, features) : std::string();
-    return {vertex.text(), assembly.text(), std::move(generated.values),
-            std::move(generated.expressions), std::move(before)};
+    return {vertex.text(),
+            assembly.text(),
+            std::move(generated.values),
+            std::move(generated.expressions),
+            std::move(before),
+            std::move(generated.bricks),
+            skips_bricks(features)};
 }
 
 }  // namespace shader

@@ -49,6 +49,11 @@ struct Features {
     bool told_depth = false;
     /// For testing: a pre-pass that leaves all rays as they are.
     bool whole_tiles = false;
+    /// Formulas in no cells and no blends whose bounds are known brick by brick; used by tracers
+    /// that go by those bounds.
+    std::vector<field::FieldId> bricks{};
+    /// Skip what of rays lies in bricks that hold nothing of the scene.
+    bool skip_empty_bricks = false;
     Outputs outputs;
 
     friend bool operator==(const Features&, const Features&) = default;
@@ -74,12 +79,16 @@ struct ProgramSource {
     /// In the order of the uniform block's floats (`field_values`, four to a vec4).
     std::vector<FieldValue> field_values;
     /// What does not depend on the point, computed once a frame from the parameters.
-    eval::Tape expressions;
+    eval::Tape expressions{};
     /// The fragment shader of the pre-pass, or empty. It writes for each tile of 8x8 pixels of the
     /// full picture the part [t0, t1] of rays outside of which no ray of the tile meets a surface,
     /// and how often it has asked the field (if that is counted); `fragment` reads that from
     /// texture 1.
     std::string prepass{};
+    /// Formulas whose bounds are read brick by brick, in the order of BrickTexels's grids.
+    std::vector<field::FieldId> bricks{};
+    /// Whether there is one more grid, of bricks in which nothing of the scene is.
+    bool scene_bricks = false;
 
     /// Whether both are the same program; its numbers are the same then too.
     bool same_text(const ProgramSource& other) const {

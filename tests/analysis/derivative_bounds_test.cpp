@@ -8,8 +8,8 @@
 
 #include "analysis/formulas.h"
 #include "analysis/spectral_norm.h"
+#include "analysis/symbolic_derivatives.h"
 #include "eval/random_expression.h"
-#include "passes/differentiate.h"
 
 namespace analysis {
 namespace {
@@ -30,16 +30,6 @@ double curvature(const Formula& f, const Region& region = ball) {
 }
 bool breaks(const Formula& f, const Region& region = ball) {
     return may_break(tape_of(f), region, no_parameters, effort);
-}
-
-/// The value with its symbolic derivatives as roots: f, x, y, z, xx, yy, zz, xy, xz, yz.
-eval::Tape symbolic_derivatives(graph::Graph g, graph::NodeId f) {
-    const std::array first = passes::gradient(g, f);
-    const std::array by_x = passes::gradient(g, first[0]);
-    const std::array by_y = passes::gradient(g, first[1]);
-    const std::array by_z = passes::gradient(g, first[2]);
-    return eval::make_tape(g, std::array{f, first[0], first[1], first[2], by_x[0], by_y[1], by_z[2],
-                                         by_x[1], by_x[2], by_y[2]});
 }
 
 /// The largest norms of gradient and Hessian at many points, half of them on the sphere.

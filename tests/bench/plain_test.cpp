@@ -140,7 +140,7 @@ TEST_F(PlainTest, the_limit_shows_what_auto_shows) {
         const auto told = render::DepthTexture::create(context->gl(), depth);
         ASSERT_TRUE(told);
         told->bind();
-        shader::Features features = compile::features(subject->document, all);
+        shader::Features features = compile::features(subject->formula, subject->document, all);
         features.told_depth = true;
         const auto actual =
             draw(*subject, shader::program_source(subject->formula.field, features), all);

@@ -8,8 +8,8 @@ from program import Folder, main, run
 
 
 class Statistics(Folder):
-    def stats(self, *arguments, **environment):
-        result = run("render", "--formula", "x^2 + y^2 + z^2 = 1", "--size", "40x30", "--stats", "-",
+    def stats(self, *arguments, formula="x^2 + y^2 + z^2 = 1", **environment):
+        result = run("render", "--formula", formula, "--size", "40x30", "--stats", "-",
                      *arguments, **environment)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return json.loads(result.stdout)
@@ -41,6 +41,14 @@ class Statistics(Folder):
         stats = self.stats("--region", "5,6,7,8")
         self.assertEqual((stats["width"], stats["height"]), (7, 8))
         self.assertEqual(sum(stats["pixels"].values()), 56)
+
+    def test_count_bricks(self):
+        bricks = self.stats(formula="exp(x^2 + y^2 + z^2) = 2 + x")["bricks"]
+        self.assertEqual(bricks["count"], bricks["side"]**3 * bricks["formulas"])
+        self.assertGreater(bricks["empty"], bricks["count"] / 2)
+        self.assertEqual(bricks["empty"] + bricks["certified"], bricks["count"])
+        self.assertGreater(bricks["seconds"], 0)
+        self.assertNotIn("bricks", self.stats(formula="sphere(1)"))
 
     def test_count_evaluations(self):
         stats = self.stats()

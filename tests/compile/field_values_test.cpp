@@ -20,7 +20,15 @@ struct Frame {
     shader::ProgramSource source;
 
     explicit Frame(std::string_view text)
-        : formula(understood(text)), source(program_source(formula, document, {})) {}
+        : formula(understood(text)),
+          source(shader::program_source(formula.field, by_region(formula, document))) {}
+
+    /// Bounds of the whole region, also for formulas that are known brick by brick.
+    static shader::Features by_region(const Formula& formula, const scene::Document& document) {
+        shader::Features features = compile::features(formula, document, {});
+        features.bricks.clear();
+        return features;
+    }
 
     std::vector<float> values() const { return field_numbers(formula, source, document).values; }
     /// The value of this kind of the first leaf that has one.

@@ -94,7 +94,7 @@ std::vector<std::array<float, 4>> glsl_values(const render::Context& context,
         for (std::size_t i = 0; i < some.size(); ++i) {
             std::ranges::copy(some[i], values.begin() + static_cast<std::ptrdiff_t>(4 * i));
         }
-        canvas->draw(*program, {}, {values}, {0, 0, side, side});
+        canvas->draw(*program, {}, {values, nullptr}, {0, 0, side, side});
         const auto drawn = canvas->read_geometry();
         for (std::size_t i = 0; i < some.size(); ++i) {
             const int k = static_cast<int>(i);

@@ -119,8 +119,8 @@ TEST_F(CanvasTest, field_values_arrive_also_when_they_change_between_draws) {
     const Program program = make_program(
         render_test::program("out_geometry = field_values[0]; out_normal = field_values[1];"));
     const render::Frame frame = render_test::frame_of(render::whole(2, 1));
-    canvas.draw(program, frame, {{1, 2, 3, 4, 5}}, {0, 0, 1, 1});
-    canvas.draw(program, frame, {{9, 8, 7, 6, 5, 4, 3, 2}}, {1, 0, 1, 1});
+    canvas.draw(program, frame, {{1, 2, 3, 4, 5}, nullptr}, {0, 0, 1, 1});
+    canvas.draw(program, frame, {{9, 8, 7, 6, 5, 4, 3, 2}, nullptr}, {1, 0, 1, 1});
     EXPECT_EQ(canvas.read_geometry().values, (std::vector<float>{1, 2, 3, 4, 9, 8, 7, 6}));
     EXPECT_EQ(canvas.read_normal().values, (std::vector<float>{5, 0, 0, 0, 5, 4, 3, 2}));
 }

@@ -16,7 +16,7 @@ render::Still draw(render::Context& context, const scene::Document& document,
     constexpr shader::Outputs outputs{
         .picture = true, .geometry = true, .normal = true, .count = true};
     const auto formula = compile::compile_formula(document.formula);
-    shader::Features features = compile::features(document, outputs);
+    shader::Features features = compile::features(*formula, document, outputs);
     features.whole_tiles = whole_tiles;
     const shader::ProgramSource source = shader::program_source(formula->field, features);
     const shader::FieldNumbers numbers = compile::field_numbers(*formula, source, document);

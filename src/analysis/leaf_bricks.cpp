@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/leaf_bricks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "analysis/cell_derivatives.h"
+#include "analysis/evaluator.h"
+#include "analysis/in_parallel.h"
+
+namespace analysis {
+namespace {
+
+using numeric::Interval;
+using Jet = numeric::SecondOrder<Interval>;
+
+/// A jet of intervals costs so many times an interval.
+constexpr std::size_t jet_weight = 16;
+/// A brick is stiff where no certified step is longer than this part of it.
+constexpr double shortest_step = 1.0 / 32;
+
+/// Eight bricks in one; undecided unless all are the same.
+Bricks coarsened(const Bricks& fine) {
+    Bricks coarse{{fine.grid.box, fine.grid.side / 2}, {}};
+    coarse.bricks.resize(coarse.grid.count());
+    for (std::size_t i = 0; i < coarse.bricks.size(); ++i) {
+        const glm::ivec3 corner = 2 * coarse.grid.at(i);
+        coarse.bricks[i] = fine.at(corner);
+        for (int child = 1; child < 8; ++child) {
+            const glm::ivec3 offset(child & 1, child >> 1 & 1, child >> 2);
+            if (fine.at(corner + offset) != coarse.bricks[i]) coarse.bricks[i] = Brick::surface;
+        }
+    }
+    return coarse;
+}
+
+/// A formula with its parameters loaded, for one thread.
+struct Evaluators {
+    RootEvaluator<Jet> jets;
+    RootEvaluator<Interval> intervals;
+
+    Evaluators(const eval::Tape& f, std::span<const double> parameters)
+        : jets(f, parameters), intervals(f, parameters) {}
+
+    Jet over(const Cell& cell) {
+        const auto sides = cell.sides();
+        return jets(std::array{Jet::variable(sides[0], 0), Jet::variable(sides[1], 1),
+                               Jet::variable(sides[2], 2)})[0];
+    }
+    Interval at(glm::dvec3 point) {
+        return intervals(std::array<Interval, 3>{point.x, point.y, point.z})[0];
+    }
+};
+
+/// Encloses f over the cell by its value in the middle and its gradient; f is continuous there.
+Interval mean_value(const Cell& cell, const Jet& f, const Interval& middle) {
+    const auto sides = cell.sides();
+    Interval sum = middle;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        sum = sum + f.gradient[i] * (sides[i] - Interval(cell.middle()[axis]));
+    }
+    return sum;
+}
+
+BrickBounds bounds_of(const Jet& f, double brick_size) {
+    BrickBounds bounds;
+    bounds.breaks = may_break_on(f.value);
+    bounds.lipschitz = gradient_bound_on(f);
+    bounds.second_derivative = second_derivative_bound_on(f, 0);
+    const double most = numeric::magnitude(f.value);
+    const double step =
+        std::max(most / bounds.lipschitz, std::sqrt(2 * most / bounds.second_derivative));
+    bounds.stiff = !(step > shortest_step * brick_size);  // also where it is NaN
+    return bounds;
+}
+
+}  // namespace
+
+LeafBricks leaf_bricks(const field::Field& field, field::FieldId id, const eval::Tape& f,
+                       std::span<const double> parameters, const Region& region,
+                       const BrickEffort& effort) {
+    LeafBricks result{bricks(field, id, parameters, region, effort), {}};
+    Bricks& found = result.bricks;
+    const auto jet_operations = [&] {
+        return (found.bricks.size() - found.decided()) * (f.instructions.size() + 1) * jet_weight;
+    };
+    while (found.grid.side > 1 && jet_operations() > effort.jet_operations) {
+        found = coarsened(found);
+    }
+    result.bounds.resize(found.bricks.size());
+    const Region where = padded(region);
+    const bool sheet = kind_of(field, id) == field::Kind::sheet;
+    const double size = glm::length(found.grid.size()) / std::sqrt(3.0);
+    in_parallel(
+        found.bricks.size(), effort.threads, [&] { return Evaluators(f, parameters); },
+        [&](Evaluators& evaluators, std::size_t place) {
+            Brick& brick = found.bricks[place];
+            if (brick != Brick::surface) return;
+            const auto cell = clip(where, found.grid.widened(found.grid.at(place)));
+            if (!cell) return;
+            const Jet jet = evaluators.over(*cell);
+            BrickBounds& bounds = result.bounds[place];
+            bounds = bounds_of(jet, size);
+            if (bounds.breaks || !std::isfinite(bounds.lipschitz)) return;
+            const Interval value = mean_value(*cell, jet, evaluators.at(cell->middle()));
+            if (value.is_empty() || value.partial || value.contains(0)) return;
+            brick = sheet || value.lo > 0 ? Brick::outside : Brick::inside;
+        });
+    return result;
+}
+
+}  // namespace analysis
