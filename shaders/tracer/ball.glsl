@@ -44,8 +44,9 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             t = near ? min(outside + rest, min(inside, t1)) : 0.5 * (outside + inside);
             break;
         }
-        // Within a pixel rays go nearly there: what they could pass is smaller than that.
-        bool close = a.free > 0.0 && free < pixel_footprint(t);
+        // Close by rays go nearly there, and may pass what is smaller than that: an estimate, which is
+        // mostly half of the way, within a pixel, a distance within `epsilon` only.
+        bool close = a.free > 0.0 && free < (estimate ? pixel_footprint(t) : ball_epsilon(1.0, t));
         t = outside + (close ? clamp(0.9 * rest, free, (estimate ? 1.8 : 4.0) * free) : free);
         if (t >= inside) t = 0.5 * (outside + inside);
         if (t > t1) {

@@ -155,7 +155,7 @@ TEST(Relaxed, hits_where_sphere_tracing_does) {
         query.width = 64;
         query.height = 48;
         query.settings.steps = 4000;
-        query.settings.epsilon = 0.01;
+        query.settings.epsilon = 0.001;
         query.settings.tracer = "sphere";
         const render::Still sphere = render(query);
         query.settings.tracer = "relaxed";
@@ -167,7 +167,7 @@ TEST(Relaxed, hits_where_sphere_tracing_does) {
                 moved += std::abs(depth(sphere, i, j) - depth(relaxed, i, j)) > 0.01;
             }
         }
-        // A ray that comes closer than a hundredth of a pixel may end there or not.
+        // A ray that comes closer than a thousandth of a pixel may end there or not.
         EXPECT_LE(different, 1) << formula;
         EXPECT_LE(moved, 1) << formula;
     }
