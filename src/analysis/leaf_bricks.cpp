@@ -2,6 +2,7 @@
 #include "analysis/leaf_bricks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -18,7 +19,7 @@ using Jet = numeric::SecondOrder<Interval>;
 
 /// A jet of intervals costs so many times an interval.
 constexpr std::size_t jet_weight = 16;
-/// A brick is stiff where no certified step is longer than this part of it.
+/// A brick is stiff where most certified steps are shorter than this part of it.
 constexpr double shortest_step = 1.0 / 32;
 
 /// Eight bricks in one; undecided unless all are the same.
@@ -65,14 +66,31 @@ Interval mean_value(const Cell& cell, const Jet& f, const Interval& middle) {
     return sum;
 }
 
-BrickBounds bounds_of(const Jet& f, double brick_size) {
+/// The median of |f| in the middles of the cell's eight parts.
+double median_magnitude(Evaluators& evaluators, const Cell& cell) {
+    const auto sides = cell.sides();
+    std::array<double, 8> magnitudes;
+    for (int part = 0; part < 8; ++part) {
+        glm::dvec3 point;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto& side = sides[static_cast<std::size_t>(axis)];
+            const double share = (part >> axis & 1) != 0 ? 0.75 : 0.25;
+            point[axis] = side.lo + share * (side.hi - side.lo);
+        }
+        magnitudes[static_cast<std::size_t>(part)] = numeric::magnitude(evaluators.at(point));
+    }
+    std::ranges::nth_element(magnitudes, magnitudes.begin() + 4);
+    return magnitudes[4];
+}
+
+/// `typical` is a usual |f|.
+BrickBounds bounds_of(const Jet& f, double typical, double brick_size) {
     BrickBounds bounds;
     bounds.breaks = may_break_on(f.value);
     bounds.lipschitz = gradient_bound_on(f);
     bounds.second_derivative = second_derivative_bound_on(f, 0);
-    const double most = numeric::magnitude(f.value);
     const double step =
-        std::max(most / bounds.lipschitz, std::sqrt(2 * most / bounds.second_derivative));
+        std::max(typical / bounds.lipschitz, std::sqrt(2 * typical / bounds.second_derivative));
     bounds.stiff = !(step > shortest_step * brick_size);  // also where it is NaN
     return bounds;
 }
@@ -103,7 +121,7 @@ LeafBricks leaf_bricks(const field::Field& field, field::FieldId id, const eval:
             if (!cell) return;
             const Jet jet = evaluators.over(*cell);
             BrickBounds& bounds = result.bounds[place];
-            bounds = bounds_of(jet, size);
+            bounds = bounds_of(jet, median_magnitude(evaluators, *cell), size);
             if (bounds.breaks || !std::isfinite(bounds.lipschitz)) return;
             const Interval value = mean_value(*cell, jet, evaluators.at(cell->middle()));
             if (value.is_empty() || value.partial || value.contains(0)) return;

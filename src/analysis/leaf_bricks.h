@@ -14,7 +14,7 @@ struct BrickBounds {
     double lipschitz = numeric::infinity;          ///< rigorous: at least sup |grad f|
     double second_derivative = numeric::infinity;  ///< rigorous: the Hessian's spectral norm
     bool breaks = true;                            ///< f may be undefined or jump; false is a proof
-    /// Heuristic: even where |f| is largest the certified step is a small part of the brick.
+    /// Heuristic: by a usual |f| in the brick, the certified step is a small part of it.
     bool stiff = true;
 
     bool certified() const { return !breaks && !stiff; }
