@@ -45,7 +45,6 @@ public:
         ray_ = ray;
         beam_ = ray;
     }
-    const Ray& ray() const { return ray_; }
     /// Enclosures are then those of all rays of the beam.
     void take(const Beam& beam) { beam_ = beam; }
 
@@ -66,7 +65,6 @@ public:
     /// these, taken by itself, are `good`.
     template <class Good>
     bool on_each_side(Function function, numeric::Interval t, Good good) {
-        if (cuts(function).empty()) return false;
         intervals_.move_to(place(t));
         int sides = 0;
         return visit_sides(function, 0, sides, good) && sides > 1;

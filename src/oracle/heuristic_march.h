@@ -16,7 +16,7 @@ class HeuristicMarch {
 public:
     explicit HeuristicMarch(const Shape& shape);
 
-    /// Of all parts that are estimated, within the stretch. `pixel_width` is at distance 1.
+    /// Of all parts with loops, within the stretch. `pixel_width` is at distance 1.
     Found operator()(const Ray& ray, const Stretch& stretch, double pixel_width);
 
 private:

@@ -37,8 +37,8 @@ struct Reference {
     int width = 0;
     int height = 0;
     double pixel_width = 0;  ///< a pixel's footprint at distance 1: 2 tan(fov / 2) / full height
-    /// True if escape-time sets are in the scene that nothing is proven of: then verdicts rest on
-    /// distance estimates, stepped with a quarter of them.
+    /// True if escape-time sets are in the scene: then verdicts rest on distance estimates, stepped
+    /// with a quarter of them, and prove nothing.
     bool heuristic = false;
     std::vector<Pixel> pixels;  ///< row by row from the top left
 

@@ -13,14 +13,6 @@
 
 namespace oracle {
 
-/// Turns of q -> q^2 + c until |q|^2 is above a bound (oracle/quadratic.h).
-struct QuadraticTurns {
-    std::size_t size = 4;  ///< of q: 2 or 4
-    /// An expression with a root for each component of q at the start, then one for each of c, then
-    /// minus the bound.
-    std::size_t source = 0;
-};
-
 /// An escape-time leaf as tapes; those of `field::Iteration`. `point` has the three coordinates
 /// that it is seen in.
 struct Loop {
@@ -28,7 +20,6 @@ struct Loop {
     eval::Tape point, start, step, escape, distance;
     bool escapes = false;
     double limit = 0;
-    std::optional<QuadraticTurns> quadratic{};  ///< then its sign can be proven
 };
 
 /// An operator that may jump (floor, a choice, ...). Its value is a variable of all expressions, so
@@ -55,7 +46,6 @@ struct Solid {
     bool distance = false;                    ///< of a formula: 1-Lipschitz
     int object = -1;                          ///< of a leaf
     bool has_loops = false;                   ///< at or below
-    bool estimated = false;                   ///< at or below, its sign rests on an estimate
     std::vector<std::size_t> cuts{};          ///< of all that is below
 };
 

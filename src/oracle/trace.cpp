@@ -49,15 +49,6 @@ void for_all(int count, int threads, const MakeState& make_state, const Work& wo
     for (std::thread& other : others) other.join();
 }
 
-bool is_heuristic(const Shape& shape) {
-    const auto estimated = [&](std::size_t solid) { return shape.solids[solid].estimated; };
-    return std::ranges::any_of(shape.parts,
-                               [&](const Part& part) { return estimated(part.solid); }) ||
-           std::ranges::any_of(shape.sheets, [&](const Sheet& sheet) {
-               return sheet.clip && estimated(*sheet.clip);
-           });
-}
-
 int thread_count(const Query& query) {
     if (query.threads > 0) return query.threads;
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -98,7 +89,7 @@ public:
         reference_.width = area.width;
         reference_.height = area.height;
         reference_.pixel_width = pinhole_.pixel_width();
-        reference_.heuristic = is_heuristic(shape_);
+        reference_.heuristic = !shape_.loops.empty();
         reference_.pixels.resize(static_cast<std::size_t>(area.width) *
                                  static_cast<std::size_t>(area.height));
         for_tiles(area, large, [&](const Tile& tile) { tiles_.push_back(tile); });

@@ -12,7 +12,6 @@
 #include "field/field.h"
 #include "numeric/jet_operators.h"
 #include "numeric/real.h"
-#include "oracle/quaternion_jet.h"
 #include "oracle/shape.h"
 
 namespace oracle {
@@ -51,25 +50,6 @@ J as_operand(J jet) {
     return result;
 }
 
-inline bool is_surely_positive(double value) { return value > 0; }
-inline bool is_surely_positive(const numeric::Interval& value) { return value.lo > 0; }
-template <numeric::AnyJet J>
-bool is_surely_positive(const J& jet) {
-    return is_surely_positive(jet.value);
-}
-
-/// The same or anything above.
-inline double or_more(double value) { return value; }
-inline numeric::Interval or_more(const numeric::Interval& value) {
-    return {value.lo, numeric::infinity, value.partial, true};
-}
-template <numeric::AnyJet J>
-J or_more(const J& jet) {
-    J result(or_more(jet.value));
-    result.smooth = false;
-    return result;
-}
-
 /// Evaluates expressions and solids at a place, which is a point or a stretch of a ray. Not for
 /// several threads.
 template <class T>
@@ -92,8 +72,7 @@ public:
         set_cuts(shape_.expressions[number].cuts);
         return expression_of_cuts(number);
     }
-    /// Not for one that is estimated. Of a quadratic iteration the largest |q|^2 less its
-    /// bound, or something between 0 and that.
+    /// Not for a solid with loops.
     T solid(std::size_t number) {
         set_cuts(shape_.solids[number].cuts);
         return solid_of_cuts(number);
@@ -139,7 +118,7 @@ public:
                 return mix_of_cuts(node, std::span(values).first(node.operands.size()));
             }
             case Solid::What::loop:
-                return most_of_turns(shape_.loops[node.source]);
+                break;
         }
         return T(numeric::infinity);
     }
@@ -155,25 +134,6 @@ private:
         for (const std::size_t number : cuts) {
             const Cut& cut = shape_.cuts[number];
             set(cut.variable, eval::apply<T>(cut.op, arguments(cut)));
-        }
-    }
-    /// Above 0 outside: what is outside after some turns stays so, whatever comes.
-    T most_of_turns(const Loop& loop) {
-        if (!loop.quadratic) return T(numeric::infinity);
-        const QuadraticTurns& turns = *loop.quadratic;
-        std::array<T, 9> roots{};
-        run(turns.source, std::span(roots).first(2 * turns.size + 1));
-        QuaternionJet<T> q(std::span<const T>(roots).first(turns.size));
-        const QuaternionJet<T> constant(std::span<const T>(roots).subspan(turns.size, turns.size));
-        const T minus_bound = outside_if_undefined(roots[2 * turns.size]);
-        T most{};
-        for (double turn = 0;; ++turn) {
-            const T value = numeric::add(q.norm(), minus_bound);
-            most = turn == 0 ? value : numeric::max(most, value);
-            if (turn >= loop.limit) return most;
-            if (is_surely_positive(value)) return or_more(value);
-            if (q.is_hopeless()) return or_more(most);
-            q.turn(constant);
         }
     }
     T mix_of_cuts(const Solid& node, std::span<const T> operands) {
