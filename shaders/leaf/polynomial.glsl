@@ -17,7 +17,8 @@ real parabola_root(real v, real w, real k) {
     return under > 0.0 ? over / under : zs_far;
 }
 
-// The answer from f, df/ds and half of the second derivative at s, and from how far no root is, in s.
+// The answer from f, df/ds and half of the second derivative at s, and from how far no root is, in s. Its
+// rate is that in s as well: of rates only the sign is asked for.
 Answer polynomial_answer(real f, real rate, real bend, real way, int object) {
     real v = abs(f);
     // How far a root is from here on either side, by a parabola, as if it were crossed at right angles.

@@ -79,8 +79,9 @@ double median_magnitude(Evaluators& evaluators, const Cell& cell) {
         }
         magnitudes[static_cast<std::size_t>(part)] = numeric::magnitude(evaluators.at(point));
     }
-    std::ranges::nth_element(magnitudes, magnitudes.begin() + 4);
-    return magnitudes[4];
+    const auto median = magnitudes.begin() + magnitudes.size() / 2;
+    std::ranges::nth_element(magnitudes, median);
+    return *median;
 }
 
 /// `typical` is a usual |f|.

@@ -10,7 +10,8 @@
 namespace cli {
 namespace {
 
-/// How many bricks there are, in how many of them no surface is, and in how many that may have one
+/// How many bricks all grids have (one for each formula that has bricks, one for the scene if it
+/// skips by them), in how many of them no surface is, and in how many that may have one
 /// steps are certified; and how long that took.
 nlohmann::ordered_json bricks_json(const shader::BrickTexels& bricks, double seconds) {
     std::size_t empty = 0, certified = 0;
@@ -19,9 +20,8 @@ nlohmann::ordered_json bricks_json(const shader::BrickTexels& bricks, double sec
         empty += holds_nothing;
         certified += !holds_nothing && bricks.texels[i] > 0;
     }
-    return {
-        {"formulas", bricks.grids}, {"side", bricks.side},    {"count", bricks.texels.size() / 2},
-        {"empty", empty},           {"certified", certified}, {"seconds", seconds}};
+    return {{"grids", bricks.grids}, {"side", bricks.side},    {"count", bricks.texels.size() / 2},
+            {"empty", empty},        {"certified", certified}, {"seconds", seconds}};
 }
 
 }  // namespace

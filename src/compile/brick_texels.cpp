@@ -28,10 +28,9 @@ constexpr std::size_t most_leaves = 4;
 constexpr int largest_degree = 12;
 constexpr float no_bound = 1e30F;
 
-void add_leaves(const field::Field& field, const BoundTapes& tapes, FieldId id,
-                std::vector<FieldId>& leaves) {
+void add_leaves(const field::Field& field, FieldId id, std::vector<FieldId>& leaves) {
     const auto below = [&] {
-        for (const FieldId child : children(field[id])) add_leaves(field, tapes, child, leaves);
+        for (const FieldId child : children(field[id])) add_leaves(field, child, leaves);
     };
     std::visit(field::Overloaded{
                    [&](const field::Formula& leaf) {
@@ -135,9 +134,9 @@ std::shared_ptr<const shader::BrickTexels> stacked(const std::vector<KnownGrid>&
 
 }  // namespace
 
-std::vector<FieldId> brick_leaves(const field::Field& field, const BoundTapes& tapes) {
+std::vector<FieldId> brick_leaves(const field::Field& field) {
     std::vector<FieldId> leaves;
-    add_leaves(field, tapes, field.root, leaves);
+    add_leaves(field, field.root, leaves);
     if (leaves.size() > most_leaves) leaves.resize(most_leaves);
     return leaves;
 }

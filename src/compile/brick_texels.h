@@ -16,7 +16,7 @@ namespace compile {
 /// The formulas, in no cells and no blends, whose derivatives may be much smaller near their
 /// surface than somewhere else, or unbounded somewhere. By structure: for others one bound of the
 /// region does as well, or one that follows from how they are made of distances. At most a few.
-std::vector<field::FieldId> brick_leaves(const field::Field& field, const BoundTapes& tapes);
+std::vector<field::FieldId> brick_leaves(const field::Field& field);
 
 /// Whether it pays to look for bricks that hold nothing of the scene. By structure: rays through
 /// cells end a step at each wall; iterations take too long to follow in intervals.

@@ -62,7 +62,7 @@ base::Result<Formula> compile_formula(std::string_view text) {
                     {}};
     passes::run(formula.field);
     formula.tapes = bound_tapes(formula.field);
-    formula.bricks = brick_leaves(formula.field, formula.tapes);
+    formula.bricks = brick_leaves(formula.field);
     return formula;
 }
 

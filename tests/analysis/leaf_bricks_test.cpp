@@ -119,6 +119,24 @@ TEST(LeafBricks, lose_their_certificate_at_a_pole_only) {
     EXPECT_GT(certified, 100);
 }
 
+TEST(LeafBricks, are_stiff_where_only_the_largest_values_allow_a_step) {
+    const Formula f([](graph::Expr x, graph::Expr y, graph::Expr z) {
+        const graph::Expr twenty(*x.graph, 20.0);
+        return pow(x, twenty) + pow(y, twenty) + pow(z, twenty) - 1.0;
+    });
+    const Sheet sheet(f);
+    const LeafBricks known = leaf_bricks(sheet.field, sheet.field.root, sheet.tape, {},
+                                         {{0, 0, 0}, {40, 40, 40}, false}, {});
+    int surfaces = 0;
+    for (std::size_t i = 0; i < known.bounds.size(); ++i) {
+        if (known.bricks.bricks[i] != Brick::surface) continue;
+        ++surfaces;
+        EXPECT_FALSE(known.bounds[i].breaks);
+        EXPECT_TRUE(known.bounds[i].stiff);
+    }
+    EXPECT_EQ(surfaces, 8);
+}
+
 TEST(LeafBricks, decide_more_than_values_alone) {
     // Expanded, so that intervals of the value are wide.
     const Formula f([](graph::Expr x, graph::Expr y, graph::Expr z) {

@@ -44,7 +44,7 @@ class Statistics(Folder):
 
     def test_count_bricks(self):
         bricks = self.stats(formula="exp(x^2 + y^2 + z^2) = 2 + x")["bricks"]
-        self.assertEqual(bricks["count"], bricks["side"]**3 * bricks["formulas"])
+        self.assertEqual(bricks["count"], bricks["side"]**3 * bricks["grids"])
         self.assertGreater(bricks["empty"], bricks["count"] / 2)
         self.assertEqual(bricks["empty"] + bricks["certified"], bricks["count"])
         self.assertGreater(bricks["seconds"], 0)

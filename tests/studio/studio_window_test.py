@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The studio as a user meets it: opens the real window on a display of its own, types, drags, saves,
-and looks at what comes of it.
+and looks again and again for what comes of it, since a machine may be slow.
 
 Usage: studio_window_test.py ZEROSET PRESETS
-Everything is waited for by looking again and again, never for a fixed time; a machine may be slow.
 """
 
 import json
@@ -206,8 +205,7 @@ def check_typing(studio):
     expect('* - Zeroset' in studio.title(), f'no mark of unsaved work in "{studio.title()}"')
     autosave = studio.home / 'state' / 'zeroset' / 'autosave.json'
     wait_for('the automatic copy', lambda: autosave.exists() and EQUATION in autosave.read_text())
-    # What was typed last may have been drawn since.
-    return studio.settled_picture()
+    return studio.settled_picture()  # of what was typed last
 
 
 def check_broken_text(studio, good):
