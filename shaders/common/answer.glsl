@@ -48,13 +48,8 @@ Answer answer_complement(Answer a) {
 // The point of the latest evaluation.
 real3 zs_point = real3(0.0);
 
-// How far to go where nothing is known, such as outside a domain; heuristic. Without bounds rays go far
-// beyond the region that is framed, and by larger steps there.
-real blind_step() {
-    real region = length(frame.bounds_half.xyz);
-    real away = distance(zs_point, frame.bounds_centre.xyz);
-    return away > region ? away / 16.0 : region / 64.0;
-}
+// How far to go where nothing is known, such as outside a domain; heuristic.
+real blind_step();
 
 // Outside, and undefined: nothing is known about the way ahead.
 Answer answer_undefined(int object) {

@@ -1,7 +1,8 @@
 // The numbers of one frame; laid out as render::Frame.
 layout(std140, binding = 0) uniform Frame {
     vec4 eye;                // xyz, tan(fov / 2)
-    vec4 right, up, forward; // the camera's axes
+    vec4 right, up, forward; // the camera's axes; the width of a pixel at the distance 1, 1 / Lipschitz scale,
+                             // a stride where nothing is known
     vec4 picture;            // width, height of the full picture; x, y of this part
     vec4 bounds_centre;      // xyz, distance at which rays end
     vec4 bounds_half;        // xyz, height of the ground
@@ -33,4 +34,4 @@ real3 pixel_direction() {
 }
 
 // The width of a pixel at a distance along the ray.
-real pixel_footprint(real t) { return t * 2.0 * frame.eye.w / frame.picture.y; }
+real pixel_footprint(real t) { return t * frame.right.w; }

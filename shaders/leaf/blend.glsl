@@ -26,7 +26,7 @@ Answer blend_answer(real f, real slope, real inverse, real reach, int object) {
     if (isnan(f)) return answer_undefined(object);
     real v = min(abs(f), zs_far);
     if (!(inverse > 0.0)) zs_guess = true;
-    real s = min((inverse > 0.0 ? v * inverse : min(v, blind_step())) / frame.march.y, zs_limit);
+    real s = min((inverse > 0.0 ? v * inverse : min(v, blind_step())) * frame.up.w, zs_limit);
     real estimate = v > 0.0 ? (slope > 0.0 ? min(reach * v / slope, zs_far) : zs_far) : 0.0;
     return f < 0.0 ? Answer(-s, -estimate, f, 0.0, false, false, object)
                    : Answer(s, estimate, f, 0.0, false, false, object);

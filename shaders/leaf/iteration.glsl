@@ -7,7 +7,7 @@ Answer iteration_answer(real estimate, bool inside, real reach, int object) {
     if (isnan(estimate)) estimate = 0.0;
     if (!inside) {
         real s = reach > 1.0 ? max(estimate, 0.0) : estimate;
-        return Answer(s / frame.march.y, reach * s, s, 0.0, false, false, object);
+        return Answer(s * frame.up.w, reach * s, s, 0.0, false, false, object);
     }
     zs_guess = true;
     real depth = min(estimate, -1e-30);

@@ -1,6 +1,6 @@
 // A leaf that is a polynomial along the ray. Its coefficients are those of s, which goes from -1 to 1 on
 // the part of the ray that is looked at.
-real zs_middle = 0.0, zs_half = 1.0;
+real zs_middle = 0.0, zs_half = 1.0, zs_half_inverse = 1.0;
 
 // What the coefficients and Horner's scheme may be off by, as a part of the sum of their sizes, which is
 // made 1; heuristic. Where f is smaller, the formula itself is asked.
@@ -23,7 +23,8 @@ Answer polynomial_answer(real f, real rate, real bend, real way, int object) {
     real v = abs(f);
     // How far a root is from here on either side, by a parabola, as if it were crossed at right angles.
     real estimate = min(zs_half * v * inversesqrt(rate * rate + abs(bend) * v), zs_far);
-    real s = min(zs_half * way, zs_far) / frame.march.y;
+    rate *= zs_half_inverse;
+    real s = min(zs_half * way, zs_far) * frame.up.w;
     return f < 0.0 ? Answer(-s, -estimate, f, rate, false, false, object)
                    : Answer(s, estimate, f, rate, false, false, object);
 }

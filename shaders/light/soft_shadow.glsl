@@ -1,47 +1,63 @@
 // How much of a light is seen from o: on the way to it, the smallest of k * distance / travelled
-// (O 6.3.3, K 112). The nearest approach between two points is where the circles around them meet, of
-// their distances (Aaltonen, "GPU-based clay simulation and ray-tracing tech in Claybook", GDC 2018, there
-// for steps as long as the first distance), which takes the bands away.
-// Heuristic: the distance is a first-order estimate.
+// (O 6.3.3, K 112). Heuristic: the distance is a first-order estimate.
+//
+// With derivatives the walk goes by steps that are long but pass nothing, and what counts is where the
+// distance has stopped falling and begun to grow: the least between the two points by a parabola. Where
+// f grows from the start, or is steep without being small, nothing is passed by: it had its maximum there, or
+// falls while the surface seems to be farther than before.
+//
+// Without, the nearest approach between two points is where the circles around them meet, of their
+// distances (Aaltonen, "GPU-based clay simulation and ray-tracing tech in Claybook", GDC 2018, there for
+// steps as long as the first distance), which takes the bands away.
 real soft_shadow(real3 o, real3 l, real t0, real t1) {
     real k = frame.march.w;
-    real seen = 1.0;
-    real t = t0;
-    real least = 2e-3 * length(frame.bounds_half.xyz);
-    real before = 0.0, step = 0.0;
-    bool rising = false;
+    real least = 0.128 * frame.forward.w;
+    int most = min(int(frame.march.x), 128), steps = 0;
+    real t = t0, seen = 1.0;
+    real before = 0.0, slope_before = 0.0, step = 0.0;
+    bool going;
     zs_aside = true;
     field_start(o, l, t0, t1);
-    int steps = min(int(frame.march.x), 128);
-    for (int i = 0; i < steps; ++i) {
+    do {
         Answer a = field(o, l, t);
         field_accept();
-        // A sheet's f that grew up to its change of sign and falls behind it has a pole there.
-        bool falls = a.value * a.rate < 0.0;
-        bool pole = a.sheet && rising && falls;
-        if (a.free <= 0.0 && !pole) return 0.0;
+        bool hit = a.free <= 0.0;
         real h = min(a.distance, 1e6);
-        // Where f is steep without being small the surface only seems to be near: f had its maximum there,
-        // or falls, and the surface seems to be farther than before.
-        bool steep = falls && (rising || (step > 0.0 && h > before));
-        rising = a.value * a.rate > 0.0;
-        real back = step > 0.0 ? (step * step + h * h - before * before) / (2.0 * step) : 0.0;
-        back = clamp(back, 0.0, min(h, step));
-        real nearest = sqrt(h * h - back * back);
-        if (t > back && !rising && !steep) seen = min(seen, k * nearest / (t - back));
-        if (seen < 0.01) return 0.0;
+        real slope = a.value == 0.0 ? 0.0 : a.rate * (h / a.value);
+        // A sheet's f that grew up to its change of sign and falls behind it has a pole there.
+        if (zs_has_edges) hit = hit && !(a.sheet && slope_before > 0.0 && a.value * a.rate < 0.0);
+        bool steep = slope < 0.0 && (slope_before > 0.0 || (step > 0.0 && h > before));
+        if (zs_has_rates) {
+            real part = slope_before / (slope_before - slope);
+            real nearest = mix(before + 0.5 * slope_before * part * step,
+                               h - 0.5 * slope * (1.0 - part) * step, part);
+            bool passed = slope_before < 0.0 && slope > 0.0;
+            if (passed) seen = min(seen, k * max(nearest, 0.0) / (t - (1.0 - part) * step));
+            if (!steep && slope < 0.0) seen = min(seen, k * h / t);
+            step = max(a.free, least);
+        } else {
+            real back = step > 0.0 ? (step * step + h * h - before * before) / (2.0 * step) : 0.0;
+            back = clamp(back, 0.0, min(h, step));
+            if (t > back && !(slope > 0.0) && !steep) {
+                seen = min(seen, k * sqrt(h * h - back * back) / (t - back));
+            }
+            step = max(min(a.free, max(h, least)), least);
+        }
+        if (hit) seen = 0.0;
         before = h;
-        step = max(min(a.free, max(h, least)), least);
+        slope_before = slope;
+        // What comes closer is looked at once more where it leaves the bounds.
+        going = seen >= 0.01 && t < t1 && (t + step <= t1 || slope < 0.0) && ++steps < most;
+        step = min(step, t1 - t);
         t += step;
-        if (t > t1) break;
-    }
-    return seen * seen * (3.0 - 2.0 * seen);
+    } while (going);
+    return seen < 0.01 ? 0.0 : seen * seen * (3.0 - 2.0 * seen);
 }
 
 real visibility(real3 p, real3 n, real3 l, real footprint) {
     real t0, t1;
     // Off the surface by some pixels, so that it does not darken itself.
-    real3 o = p + n * max(4.0 * footprint, 1e-4 * length(frame.bounds_half.xyz));
+    real3 o = p + n * max(4.0 * footprint, 6.4e-3 * frame.forward.w);
     if (!region_part(o, l, t0, t1)) return 1.0;
     return soft_shadow(o, l, t0, t1);
 }

@@ -8,9 +8,9 @@ real certified_step(real v, real slope, real first, real3 bounds) {
     if (bounds.y >= 0.0) {
         real root = sqrt(slope * slope + 2.0 * bounds.y * v);
         // For a falling |f| the second form: the first would cancel.
-        real ahead = slope < 0.0 ? 2.0 * v / (root - slope)
-                                 : (bounds.y > 0.0 ? (slope + root) / bounds.y : zs_far);
-        s = max(s, ahead);
+        bool falls = slope < 0.0;
+        real ahead = (falls ? 2.0 * v : slope + root) / (falls ? root - slope : max(bounds.y, 1e-30));
+        s = max(s, min(ahead, zs_far));
     }
     if (bounds.z > 0.0) {
         real guess = min(0.5 * first, blind_step());

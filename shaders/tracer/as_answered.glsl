@@ -1,4 +1,4 @@
-#include "tracer/march.glsl"
+#include "tracer/stride.glsl"
 
 // Strides that are as long as the field allows.
 void stride_start() {}

@@ -1,4 +1,4 @@
-#include "tracer/march.glsl"
+#include "tracer/stride.glsl"
 
 // Strides of one length, whatever the field says but on which side a point is (O 6.2.1, K algorithm 2):
 // the diagonal of the bounds over 7/8 of the steps. The rest is for what lies behind poles and, without

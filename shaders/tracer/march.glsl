@@ -1,98 +1,62 @@
-#include "tracer/settle.glsl"
+#include "tracer/stride.glsl"
 #include "tracer/trace.glsl"
 
-// Goes along a ray to the first surface, by the strides of the tracer that includes this. The loop that
-// makes the strides is kept small, since many lanes go through it together; what happens at its end is
-// rare.
+// Goes along a ray to the first surface, by the strides of the tracer that this is joined with, and down
+// to float accuracy: for fields whose answers all have a derivative along the ray and change their sign at
+// surfaces only. All in one loop with one question to the field and few numbers that live from turn to
+// turn: lanes go through it together, and what is in a branch costs all of them.
 
-// Before a ray, and before it goes on behind a pole.
-void stride_start();
-// The answer at the end of a stride.
-Answer stride_answer(real3 o, real3 d, real t);
-// Whether the stride `way` that led to this answer may have passed a surface; then the ray goes by
-// stride_back() from where it began.
-bool stride_has_parted(Answer a, real way);
-real stride_back();
-// How far to go on, where the field allows `free`.
-real stride(real free, real epsilon);
+// A ray that comes closer so often without crossing touches: at a root of order n Newton's steps leave
+// 1 - 1 / n of the way.
+const int zs_most_near = 40;
 
 Trace trace(real3 o, real3 d, real t0, real t1) {
-    Trace result = Trace(zs_unresolved, t0, -1, false, false, 0);
+    zs_aside = false;
     field_start(o, d, t0, t1);
-    int limit = int(frame.march.x);
-    real t = t0, before = t0, free = 0.0;
-    int undefined_before = 0;
-    bool grazing = false;  // what is near comes closer only behind the end
-    // Once for most rays; again behind a pole, or from the edge of a domain.
-    for (int round = 0; round <= limit; ++round) {
-        int event = zs_lost;
-        zs_aside = false;
-        stride_start();
-        while (result.steps < limit) {
-            Answer a = stride_answer(o, d, t);
-            if (stride_has_parted(a, t - before)) {
-                ++result.steps;
-                t = before + stride_back();
-                continue;
-            }
-            if (a.free <= 0.0) {
-                event = zs_crossed;
-                break;
-            }
-            if (zs_has_edges && zs_undefined < undefined_before) {
-                event = zs_entered;
-                break;
-            }
-            field_accept();
-            ++result.steps;
-            real epsilon = march_epsilon(t);
-            before = t;
-            free = max(a.free, epsilon);
-            // Near a pole the estimate is small as well, but there |f| grows.
-            if (!grazing && a.free < epsilon && a.distance < epsilon && a.value * a.rate <= 0.0 &&
-                a.object >= 0) {
-                event = zs_near;
-                break;
-            }
-            t += stride(free, epsilon);
-            // A proven step past the end proves a miss; after a guess the end is looked at too.
-            if (t > t1) {
-                if ((!zs_guess && before + free > t1) || before >= t1) {
-                    event = zs_left;
-                    break;
-                }
-                t = t1;
-            }
-            if (zs_has_edges) undefined_before = zs_undefined;
+    stride_start();
+    int limit = int(frame.march.x), steps = 0, near_steps = 0, status;
+    // The latest point outside, and the nearest inside.
+    real outer = t0, inner = zs_far;
+    real t = t0;
+    Answer a;
+    bool at_start, going;
+    do {
+        a = stride_answer(o, d, t);
+        bool inside = a.free <= 0.0;
+        bool parted = stride_has_parted(a, t - outer);
+        at_start = inside && steps == 0;
+        ++steps;
+        real least = least_step(t), epsilon = march_epsilon(t);
+        // How far the surface seems to be along the ray, ahead or, from inside, behind: Newton's step. Who
+        // passes by closely is not near: there the derivative vanishes before f.
+        real newton = a.value == 0.0 ? 0.0 : abs(a.value / a.rate);
+        bool close = !inside && a.free < epsilon && newton < epsilon;
+        bool near = close && a.value * a.rate <= 0.0;
+        // Close on both sides: what is left between is rounding.
+        bool touched = close && !near && near_steps > 0;
+        if (near) ++near_steps;
+        real free = max(a.free, epsilon);
+        real next = t + (near ? max(a.free, newton) : stride(free, epsilon));
+        // A proven step past the end proves a miss; after a guess the end is looked at too.
+        bool left = inner == zs_far && next > t1 && ((!zs_guess && t + free > t1) || t >= t1);
+        next = min(next, t1);
+        if (parted) {
+            next = outer + stride_back();
+        } else if (inside) {
+            inner = t;
+            next = t - newton;
+        } else {
+            if (inner == zs_far) field_accept();
+            outer = t;
         }
-        result.t = before;
-        if (event == zs_left) {
-            result.status = zs_miss;
-            return result;
-        }
-        if (event == zs_lost) {
-            if (grazing) result.status = zs_miss;
-            return result;
-        }
-        bool at_start = event == zs_crossed && result.steps == 0;
-        Settled settled = settle(o, d, event, before, t, undefined_before, at_start);
-        t = settled.t;
-        if (settled.surface && t > t1) {
-            // There may be another surface on the way.
-            grazing = true;
-            t = min(before + free, t1);
-            continue;
-        }
-        if (settled.surface) {
-            result.status = zs_hit;
-            result.t = t;
-            result.object = settled.answer.object;
-            result.turned = settled.answer.turned;
-            result.cap = at_start;
-            return result;
-        }
-        before = t;
-        if (zs_has_edges) undefined_before = 0;
-    }
-    return result;
+        bool crossed = inner < zs_far;
+        // Newton's steps within the bracket, and every fourth halves it.
+        if (crossed && !(next > outer && next < inner && (steps & 3) != 0)) next = 0.5 * (outer + inner);
+        bool found = at_start || inner - outer <= least || ((near || crossed) && newton <= least) ||
+                     touched || (near && near_steps > zs_most_near);
+        status = found ? zs_hit : (left ? zs_miss : zs_unresolved);
+        going = status == zs_unresolved && steps < limit;
+        if (going) t = next;
+    } while (going);
+    return Trace(status, t, a.object, a.turned, at_start, steps);
 }

@@ -1,4 +1,4 @@
-#include "tracer/march.glsl"
+#include "tracer/stride.glsl"
 
 // Over-relaxed sphere tracing (Keinert, Schaefer, Korndoerfer, Ganse, Stamminger, "Enhanced Sphere
 // Tracing", STAG 2014): strides of 1.6 radii, and back to where the last sphere ends if the next one does

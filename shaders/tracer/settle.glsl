@@ -1,4 +1,5 @@
 #include "tracer/bracket.glsl"
+#include "tracer/stride.glsl"
 #include "tracer/touch.glsl"
 
 // What has ended a march, and what comes of it.
@@ -9,11 +10,6 @@ const int zs_crossed = 2;  // the answer has changed its sign
 const int zs_near = 3;     // closer than a pixel
 const int zs_entered = 4;  // a blind step has led into a domain
 const int zs_passing = 5;  // what was crossed is no surface: to its other side
-
-// A hit is closer than this; no step is shorter.
-real march_epsilon(real t) {
-    return max(frame.march.z * pixel_footprint(t), 2.0 * zs_relative_step * max(t, 1e-3));
-}
 
 struct Settled {
     bool surface;   // whether there is a surface at t; otherwise the march goes on from t

@@ -123,6 +123,7 @@ void add_start(shader::Assembly& assembly, const Subject& subject, const shader:
 void add_end(shader::Assembly& assembly, const shader::Outputs& outputs) {
     assembly.add_code(plain_parts().at("picture.glsl"));
     if (outputs.picture) {
+        assembly.add_code("const int zs_objects = 1;\n");
         assembly.add_part("material/of_object.glsl");
         assembly.add_part("light/blinn_phong.glsl");
         assembly.add_part("light/background.glsl");

@@ -58,9 +58,10 @@ void set_materials(Frame& frame, std::vector<scene::Material> materials) {
     if (materials.empty()) materials.emplace_back();
     const std::size_t count = std::min(materials.size(), max_materials);
     frame.ground.w = static_cast<float>(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        frame.material[i] = pack(materials[i].colour, materials[i].specular);
-        frame.material_shininess[i] = pack({materials[i].shininess, 0, 0}, 0);
+    for (std::size_t i = 0; i < max_materials; ++i) {
+        const scene::Material& material = materials[i % count];
+        frame.material[i] = pack(material.colour, material.specular);
+        frame.material_shininess[i] = pack({material.shininess, 0, 0}, 0);
     }
 }
 
@@ -76,9 +77,9 @@ Frame frame(const scene::Document& document, const scene::Camera& camera, const 
 
     Frame frame{};
     frame.eye = pack(camera.eye, std::tan(camera.fov * std::numbers::pi / 360));
-    frame.right = pack(axes.u, 0);
-    frame.up = pack(axes.v, 0);
-    frame.forward = pack(axes.w, 0);
+    frame.right = pack(axes.u, 2.0 * std::tan(camera.fov * std::numbers::pi / 360) / view.height);
+    frame.up = pack(axes.v, 1 / settings.lipschitz);
+    frame.forward = pack(axes.w, glm::length(bounds.half) / 64);
     frame.picture = glm::vec4(view.width, view.height, view.x, view.y);
     frame.bounds_centre = pack(bounds.centre, end_of_rays(bounds, camera.eye));
     frame.bounds_half = pack(bounds.half, grid_height(bounds));

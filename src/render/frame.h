@@ -28,19 +28,21 @@ View whole(int width, int height);
 
 /// std140: only vec4. Lights and materials beyond the maximum are dropped.
 struct Frame {
-    glm::vec4 eye;                 ///< xyz, tan(fov / 2)
-    glm::vec4 right, up, forward;  ///< the camera's axes u, v, w
-    glm::vec4 picture;             ///< width, height of the full picture; x, y of the part drawn
-    glm::vec4 bounds_centre;       ///< xyz, distance at which rays end
-    glm::vec4 bounds_half;         ///< xyz (a sphere's radius in all), height of the ground grid
-    glm::vec4 march;               ///< steps, Lipschitz scale, epsilon, shadow factor
-    glm::vec4 sky;                 ///< rgb, number of lights
-    glm::vec4 ground;              ///< rgb, number of materials
-    glm::vec4 background_top;      ///< rgb, exposure
-    glm::vec4 background_bottom;   ///< rgb, unused
+    glm::vec4 eye;                ///< xyz, tan(fov / 2)
+    glm::vec4 right;              ///< the camera's axis u, the width of a pixel at the distance 1
+    glm::vec4 up;                 ///< the axis v, 1 / the Lipschitz scale
+    glm::vec4 forward;            ///< the axis w, 1/64 of the bounds' half diagonal
+    glm::vec4 picture;            ///< width, height of the full picture; x, y of the part drawn
+    glm::vec4 bounds_centre;      ///< xyz, distance at which rays end
+    glm::vec4 bounds_half;        ///< xyz (a sphere's radius in all), height of the ground grid
+    glm::vec4 march;              ///< steps, Lipschitz scale, epsilon, shadow factor
+    glm::vec4 sky;                ///< rgb, number of lights
+    glm::vec4 ground;             ///< rgb, number of materials
+    glm::vec4 background_top;     ///< rgb, exposure
+    glm::vec4 background_bottom;  ///< rgb, unused
     std::array<glm::vec4, max_lights> light_direction;        ///< unit, towards the light; unused
     std::array<glm::vec4, max_lights> light_colour;           ///< rgb times intensity; unused
-    std::array<glm::vec4, max_materials> material;            ///< rgb, specular strength
+    std::array<glm::vec4, max_materials> material;            ///< rgb, specular strength; repeated
     std::array<glm::vec4, max_materials> material_shininess;  ///< exponent, three unused
     glm::vec4 passes;  ///< set by Canvas: first pass, pixels kept per pixel along x and y, unused
 };

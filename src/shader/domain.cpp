@@ -17,6 +17,13 @@ bool is_partial(Op op) {
     return std::ranges::find(partial, op) != partial.end();
 }
 
+bool is_broken(Op op) {
+    constexpr std::array broken{Op::sign,  Op::floor,       Op::ceil,  Op::atan2,
+                                Op::ratio, Op::select_less, Op::abs,   Op::min,
+                                Op::max,   Op::cbrt,        Op::hypot, Op::hypot3};
+    return std::ranges::find(broken, op) != broken.end();
+}
+
 /// The reciprocal that a division by a parameter has become (passes/divide_by_constants.h), which
 /// may be infinite.
 bool is_reciprocal(const graph::Graph& graph, graph::NodeId id) {
@@ -95,6 +102,13 @@ std::vector<bool> may_be_nan(const field::Field& field) {
         }
         if (!more) return may;
     }
+}
+
+bool may_break(const graph::Graph& graph, std::span<const graph::NodeId> roots) {
+    const std::vector<bool> depends = depends_on_variables(graph);
+    return std::ranges::any_of(reachable(graph, roots), [&](graph::NodeId id) {
+        return depends[index(id)] && is_broken(graph[id].op);
+    });
 }
 
 }  // namespace shader

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where an expression may be undefined.
+// Where an expression may be undefined, and where it may jump or have a kink.
 #pragma once
 
 #include <span>
@@ -18,5 +18,10 @@ bool may_be_undefined(const graph::Graph& graph, std::span<const graph::NodeId> 
 /// For each node of the field's graph whether it may be NaN at a finite point: by structure, so a
 /// false alarm is possible and a miss is not, but for overflow.
 std::vector<bool> may_be_nan(const field::Field& field);
+
+/// True if one of the expressions holds an operator on the point that may jump or have a kink
+/// without being undefined (whole parts, sign, comparison, the angle of two numbers, a ratio at the
+/// origin; absolute value, minimum, maximum, length, cubic root): by structure, as above.
+bool may_break(const graph::Graph& graph, std::span<const graph::NodeId> roots);
 
 }  // namespace shader

@@ -33,6 +33,8 @@ struct FieldCode {
     std::map<std::size_t, std::vector<graph::NodeId>> along;       ///< of objects: coefficients
     std::array<graph::VariableId, 6> ray{};  ///< what those are made of: a point and a vector
     bool edges = false;                      ///< a formula may be undefined somewhere
+    bool breaks = false;                     ///< a formula may jump or have a kink
+    bool clips = false;  ///< a sheet is cut by a solid, whose wall is no surface
     std::vector<bool> depends;
     std::vector<bool> nan;  ///< of each node whether it may be NaN
     FieldValues values;

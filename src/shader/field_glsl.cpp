@@ -23,6 +23,21 @@ bool answers_balls(const FieldCode& code) {
     return iterates;
 }
 
+/// Whether every answer has a derivative along the ray.
+bool has_rates(const FieldCode& code) {
+    for (std::size_t i = 0; i < code.plan.objects.size(); ++i) {
+        if (!code.formula(i) || code.is_distance(i) || code.plan.objects[i].blend) return false;
+    }
+    return true;
+}
+
+std::string facts(const FieldCode& code) {
+    return fmt::format(
+        "const bool zs_has_edges = {};\nconst bool zs_has_rates = {};\nconst int zs_objects = "
+        "{};\n",
+        code.edges, has_rates(code), code.plan.objects.size());
+}
+
 }  // namespace
 
 FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands,
@@ -30,7 +45,6 @@ FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& 
     FieldCode code(std::move(field), demands);
     if (demands.bricks) code.out.bricks = std::move(bricks);
     if (!code.out.bricks.empty()) code.needs("brick/brick.glsl");
-    code.out.code += fmt::format("const bool zs_has_edges = {};\n", code.edges);
     write_leaves(code);
     write_cells(code);
     write_blends(code);
@@ -38,8 +52,10 @@ FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& 
     if (code.demands.intervals) write_enclosures(code, count_evaluations);
     write_gradients(code);
     write_colours(code);
+    code.out.facts = facts(code);
     code.out.has_edges = code.edges;
     code.out.answers_balls = answers_balls(code);
+    code.out.is_regular = has_rates(code) && !code.edges && !code.breaks && !code.clips;
     code.out.values = code.values.list();
     code.out.expressions = eval::make_tape(code.field.graph, code.values.expressions());
     return std::move(code.out);

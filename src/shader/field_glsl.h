@@ -20,6 +20,7 @@ struct Demands {
 
 /// Generated code, and what it needs.
 struct FieldGlsl {
+    std::string facts;  ///< constants that stand before all other parts
     std::string code;
     std::set<std::string> operator_parts;  ///< below shaders/, to stand before the code
     std::set<std::string> leaf_parts;      ///< likewise
@@ -33,10 +34,15 @@ struct FieldGlsl {
     /// There are iterations, and answers do not depend on the direction: `free` is the radius of a
     /// ball that holds no surface.
     bool answers_balls = false;
+    /// Every answer has a derivative along the ray, which is continuous, and changes its sign at
+    /// surfaces only.
+    bool is_regular = false;
 };
 
 /// Writes, for the tree and each leaf (object 0, 1, ... from left to right):
 ///   zs_has_edges                    whether a leaf may be undefined somewhere
+///   zs_has_rates                    whether every answer has a derivative along the ray
+///   zs_objects                      how many leaves there are
 ///   void field_start(o, d, t0, t1)  before a ray, of which only [t0, t1] will be asked for
 ///   Answer field(o, d, t)           the answer of the whole tree at o + t d, along the unit vector
 ///   d void field_accept()             after the ray has gone on to the point last asked for void

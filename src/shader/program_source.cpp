@@ -13,11 +13,11 @@ namespace shader {
 namespace {
 
 /// A tracer: its name, how far a formula lets a ray go, how far a ray goes then, and what it asks
-/// of formulas.
+/// of formulas (with intervals there are no strides).
 struct Tracer {
     TracerName name;
     std::string_view step_part;
-    std::string_view trace_part = "tracer/as_answered.glsl";
+    std::string_view stride_part = "tracer/as_answered.glsl";
     Demands demands{};
 };
 
@@ -52,7 +52,7 @@ constexpr std::array table{
             "bisection with intervals of the value and of its derivative along the ray, in single "
             "precision: slow, passes no surface; iterations, blends and copies by their distance"},
            "step/auto.glsl",
-           "tracer/interval.glsl",
+           {},
            {.intervals = true}},
 };
 
@@ -70,7 +70,7 @@ bool skips_bricks(const Features& features) {
 
 /// Whether rays go by the answers of a field alone, and those are balls.
 bool goes_by_balls(const FieldGlsl& generated, const Tracer& tracer) {
-    return generated.answers_balls && tracer.trace_part == "tracer/as_answered.glsl";
+    return generated.answers_balls && tracer.stride_part == "tracer/as_answered.glsl";
 }
 
 /// Polynomials along a ray need one of finite length, and more than one step on it.
@@ -89,12 +89,6 @@ std::string_view prepass_part(const FieldGlsl& generated, const Tracer& tracer,
     if (skips_bricks(features)) return "prepass/bricks.glsl";
     if (features.told_depth || !goes_by_balls(generated, tracer)) return "";
     return "prepass/cone.glsl";
-}
-
-std::string_view trace_part(const FieldGlsl& generated, const Tracer& tracer,
-                            const Features& features) {
-    if (features.told_depth) return "tracer/told.glsl";
-    return goes_by_balls(generated, tracer) ? "tracer/ball.glsl" : tracer.trace_part;
 }
 
 std::string outputs_code(const Features& features, bool prepass) {
@@ -149,8 +143,11 @@ void add_field(Assembly& assembly, const FieldGlsl& generated, const Tracer& tra
             fmt::format("layout(std140, binding = 1) uniform Field {{ vec4 field_values[{}]; }};\n",
                         (generated.values.size() + 3) / 4));
     }
+    assembly.add_code(generated.facts);
     assembly.add_part("common/answer.glsl");
     for (const std::string& part : generated.operator_parts) assembly.add_part(part);
+    assembly.add_part(features.bounds_sphere || features.bounds_box ? "step/blind.glsl"
+                                                                    : "step/blind_far.glsl");
     assembly.add_part(tracer.step_part);
     if (!generated.bricks.empty() || skips_bricks(features)) {
         assembly.add_code(
@@ -167,6 +164,15 @@ void add_field(Assembly& assembly, const FieldGlsl& generated, const Tracer& tra
     assembly.add_part(features.bounds_sphere ? "region/sphere.glsl"
                       : features.bounds_box  ? "region/box.glsl"
                                              : "region/none.glsl");
+}
+
+void add_tracer(Assembly& assembly, const FieldGlsl& generated, const Tracer& tracer,
+                const Features& features) {
+    if (features.told_depth) return assembly.add_part("tracer/told.glsl");
+    if (tracer.demands.intervals) return assembly.add_part("tracer/interval.glsl");
+    if (goes_by_balls(generated, tracer)) return assembly.add_part("tracer/ball.glsl");
+    assembly.add_part(tracer.stride_part);
+    assembly.add_part(generated.is_regular ? "tracer/march.glsl" : "tracer/careful_march.glsl");
 }
 
 std::string prepass_text(const FieldGlsl& generated, const Tracer& tracer,
@@ -199,7 +205,7 @@ ProgramSource program_source(const field::Field& field, const Features& features
     Assembly assembly;
     add_field(assembly, generated, tracer, features);
     assembly.add_part(prepass ? "prepass/part.glsl" : "prepass/none.glsl");
-    assembly.add_part(trace_part(generated, tracer, features));
+    add_tracer(assembly, generated, tracer, features);
     if (generated.needs_differences) assembly.add_part("normal/differences.glsl");
     assembly.add_part("normal/normal.glsl");
     if (features.outputs.picture || features.outputs.light)

@@ -85,12 +85,11 @@ private:
     }
     std::string answer(FieldId, const field::Intersection& node, const Place& place, std::string&) {
         const std::string a = write(node.a, place), b = write(node.b, place);
-        if (kind_of(code_.field, node.a) == field::Kind::sheet) {
-            return fmt::format("answer_clip({}, {})", a, b);
-        }
-        if (kind_of(code_.field, node.b) == field::Kind::sheet) {
-            return fmt::format("answer_clip({}, {})", b, a);
-        }
+        const bool a_is_sheet = kind_of(code_.field, node.a) == field::Kind::sheet;
+        const bool b_is_sheet = kind_of(code_.field, node.b) == field::Kind::sheet;
+        code_.clips = code_.clips || a_is_sheet || b_is_sheet;
+        if (a_is_sheet) return fmt::format("answer_clip({}, {})", a, b);
+        if (b_is_sheet) return fmt::format("answer_clip({}, {})", b, a);
         return fmt::format("answer_intersection({}, {})", a, b);
     }
     std::string answer(FieldId, const field::Complement& node, const Place& place, std::string&) {
@@ -148,6 +147,7 @@ std::string ray_start(const FieldCode& code) {
     std::string text =
         "    zs_middle = 0.5 * (t0 + t1);\n"
         "    zs_half = 0.5 * (t1 - t0);\n"
+        "    zs_half_inverse = 1.0 / zs_half;\n"
         "    real3 c = o + zs_middle * d, e = zs_half * d;\n";
     for (const auto& [object, coefficients] : code.along) {
         text += fmt::format("    coefficients_{}(c, e);\n", object);
@@ -191,7 +191,8 @@ void write_tree(FieldCode& code, bool count_evaluations) {
         count_evaluations ? "int zs_evaluations = 0;\n" : "",
         code.plan.cells.empty() ? "" : "    zs_wall = zs_far;\n",
         count_evaluations ? "    ++zs_evaluations;\n" : "",
-        code.along.empty() ? "" : "    real s = (t - zs_middle) / zs_half;\n", tree.body(), root);
+        code.along.empty() ? "" : "    real s = (t - zs_middle) * zs_half_inverse;\n", tree.body(),
+        root);
 }
 
 }  // namespace shader

@@ -29,9 +29,10 @@ TEST(Frame, holds_the_cameras_axes) {
     const render::Frame frame = frame_of({}, camera);
     const scene::Axes axes = scene::axes(camera);
     expect_near(frame.eye, camera.eye, std::tan(std::acos(-1.0) / 6));
-    expect_near(frame.right, axes.u, 0);
-    expect_near(frame.up, axes.v, 0);
-    expect_near(frame.forward, axes.w, 0);
+    // A pixel at the distance 1, the steps as they are, and a part of a ball of radius 2.
+    expect_near(frame.right, axes.u, 2 * std::tan(std::acos(-1.0) / 6) / 480);
+    expect_near(frame.up, axes.v, 1);
+    expect_near(frame.forward, axes.w, std::sqrt(12.0) / 64);
     EXPECT_NEAR(glm::length(glm::vec3(frame.forward)), 1, 1e-6);
 }
 
@@ -100,6 +101,21 @@ TEST(Frame, drops_lights_and_materials_beyond_the_maximum) {
     EXPECT_EQ(frame.ground.w, static_cast<float>(render::max_materials));
 }
 
+TEST(Frame, materials_are_repeated) {
+    scene::Document document;
+    document.materials.assign(3, scene::Material{});
+    document.materials[1].colour = {0.25, 0.5, 1};
+    document.materials[1].shininess = 7;
+    const render::Frame frame = frame_of(document);
+    EXPECT_EQ(frame.ground.w, 3.0f);
+    for (std::size_t i = 0; i < render::max_materials; ++i) {
+        EXPECT_EQ(frame.material[i], frame.material[i % 3]) << i;
+        EXPECT_EQ(frame.material_shininess[i], frame.material_shininess[i % 3]) << i;
+    }
+    EXPECT_NE(frame.material[4], frame.material[3]);
+    EXPECT_EQ(frame.material_shininess[4].x, 7.0f);
+}
+
 TEST(Frame, no_materials_means_one_by_default) {
     scene::Document document;
     document.materials.clear();
@@ -121,6 +137,7 @@ TEST(Frame, holds_the_settings_and_the_environment) {
     document.environment.background_top = {7, 8, 9};
     document.environment.background_bottom = {10, 11, 12};
     const render::Frame frame = frame_of(document);
+    EXPECT_FLOAT_EQ(frame_of(document).up.w, 1 / 1.5f);
     EXPECT_EQ(frame.march, glm::vec4(77, 1.5, 0.25, 9));
     EXPECT_EQ(frame.sky, glm::vec4(1, 2, 3, 1));
     EXPECT_EQ(frame.ground, glm::vec4(4, 5, 6, 1));

@@ -13,11 +13,7 @@ struct KnownFailure {
 
 // A name is a case of answers_test.cpp, a formula of Nasty, or a preset.
 constexpr auto known_failures = std::to_array<KnownFailure>({
-    // Normals on the side away from the eye, where the ray grazes the surface.
-    {"plane_formula_along_z", 41},
-    {"double_plane", 1},
     // Roots that are flat in single precision.
-    {"fourfold_plane", 352},
     {"maximum_touches", 7428},
     // Poles and jumps.
     {"quotient_of_sheets", 20},

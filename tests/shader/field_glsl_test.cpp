@@ -11,10 +11,10 @@ namespace shader {
 namespace {
 
 TEST(FieldGlsl, says_whether_a_leaf_has_edges) {
-    EXPECT_TRUE(has(field_glsl(field_of("x = 1"), false).code, "zs_has_edges = false;"));
-    EXPECT_TRUE(has(field_glsl(field_of("sqrt(x) = 1"), false).code, "zs_has_edges = true;"));
-    EXPECT_TRUE(
-        has(field_glsl(field_of("sphere(1) | (log(x) <= y)"), false).code, "zs_has_edges = true;"));
+    EXPECT_TRUE(has(field_glsl(field_of("x = 1"), false).facts, "zs_has_edges = false;"));
+    EXPECT_TRUE(has(field_glsl(field_of("sqrt(x) = 1"), false).facts, "zs_has_edges = true;"));
+    EXPECT_TRUE(has(field_glsl(field_of("sphere(1) | (log(x) <= y)"), false).facts,
+                    "zs_has_edges = true;"));
 }
 
 TEST(FieldGlsl, numbers_leaves_from_left_to_right) {

@@ -1,0 +1,2 @@
+// Within bounds a sixty-fourth of the region.
+real blind_step() { return frame.forward.w; }
