@@ -18,7 +18,7 @@ Brick brick_at(int grid, real3 p, real3 d) {
     real reach = (empty ? -known.y - 0.5 : 0.5) + zs_brick_margin;
     real3 rate = d * at.bricks_a_unit;
     real3 ahead = (reach - sign(rate) * at.inside) / max(abs(rate), real3(1e-20));
-    real way = at.known ? min(ahead.x, min(ahead.y, ahead.z)) / frame.march.y : zs_far;
+    real way = at.known ? min(ahead.x, min(ahead.y, ahead.z)) * frame.up.w : zs_far;
     return Brick(real3(abs(known.x), known.y < 1e30 ? known.y : -1.0, known.x < 0.0 ? 1.0 : 0.0), empty,
                  way);
 }
