@@ -17,8 +17,14 @@ real parabola_root(real v, real w, real k) {
     return under > 0.0 ? over / under : zs_far;
 }
 
-// The answer from f, df/ds and half of the second derivative at s, and from how far no root is, in s. Its
-// rate is that in s as well: of rates only the sign is asked for.
+// The formula's own answer at the point, but as far along the ray as the coefficients allow.
+Answer answer_along(Answer a, real way) {
+    real free = min(zs_half * way, zs_far) * frame.up.w;
+    a.free = a.free < 0.0 ? min(a.free, -free) : max(a.free, free);
+    return a;
+}
+
+// The answer from f, df/ds and half of the second derivative at s, and from how far no root is, in s.
 Answer polynomial_answer(real f, real rate, real bend, real way, int object) {
     real v = abs(f);
     // How far a root is from here on either side, by a parabola, as if it were crossed at right angles.

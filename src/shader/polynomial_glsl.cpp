@@ -84,8 +84,9 @@ void write_polynomial(FieldCode& code, std::size_t i) {
     // Not a number is not greater.
     code.out.code += fmt::format(
         "Answer leaf_{0}(real s, real3 p, real3 d) {{\n{1}"
-        "    if (zs_aside || !(abs(b0) > zs_polynomial_error)) return aside_{0}(p, d);\n"
-        "{2}",
+        "    if (!(abs(b0) > zs_polynomial_error)) return aside_{0}(p, d);\n"
+        "{2}"
+        "    if (zs_aside) return answer_along(aside_{0}(p, d), way);\n",
         i, shifted(i, degree), certified_way(degree));
     const std::string second = degree < 2 ? "0.0" : "b2";
     if (sheet) {

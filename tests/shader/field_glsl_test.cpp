@@ -34,6 +34,28 @@ TEST(FieldGlsl, asks_for_three_bounds_for_each_leaf_that_is_no_distance) {
     EXPECT_EQ(count("(x*y <= z) | (x <= y^2)"), 6U);
 }
 
+TEST(FieldGlsl, follows_polynomials_by_their_coefficients_only_if_asked_to) {
+    const Demands along{.polynomials = true};
+    const field::Field f = field_of("(x^2 + y^2)^3 = z");
+    EXPECT_TRUE(has(field_glsl(f, false, along).code, "coefficients_0(real3 c, real3 e)"));
+    EXPECT_TRUE(has(field_glsl(f, false, along).code, "a0_6 = scale * "));
+    EXPECT_FALSE(has(field_glsl(f, false).code, "coefficients_0"));
+    for (const char* other :
+         {"x^13 = y", "x^2 = y", "sin(x) = y", "sphere(1)", "repeat(x^2 <= 0.1, (2, 2, 2))",
+          "smooth_union(x^2 + y^2 <= 1, menger(1), 0.1)"}) {
+        EXPECT_FALSE(has(field_glsl(field_of(other), false, along).code, "coefficients_")) << other;
+    }
+}
+
+TEST(FieldGlsl, follows_no_polynomials_where_there_are_many) {
+    std::string many = "x^3 + y^2 <= z";
+    for (int i = 1; i < 17; ++i) many += " | x^3 + y^2 <= z + " + std::to_string(i);
+    const Demands along{.polynomials = true};
+    EXPECT_FALSE(has(field_glsl(field_of(many), false, along).code, "coefficients_"));
+    const std::string few = "x^3 + y^2 <= z | x^3 + y^2 <= z + 1";
+    EXPECT_TRUE(has(field_glsl(field_of(few), false, along).code, "coefficients_1(c, e);"));
+}
+
 TEST(FieldGlsl, remembers_sides_of_sheets_only) {
     EXPECT_TRUE(has(field_glsl(field_of("x*y = z"), false).code, "side_0 = now_0"));
     EXPECT_FALSE(has(field_glsl(field_of("x*y <= z"), false).code, "side_"));
