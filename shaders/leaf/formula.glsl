@@ -10,6 +10,8 @@ Answer formula_answer(real f, real3 g, real3 d, real3 bounds, int object) {
     real estimate = v < zs_far ? min(1.0 / length(g * (1.0 / v)), zs_far) : zs_far;
     if (v == 0.0) estimate = 0.0;
     real s = formula_step(v, f < 0.0 ? -rate : rate, estimate, bounds) * frame.up.w;
+    // Where f is rounded to 0, so may be more around it: no way ahead is proven.
+    if (v == 0.0) s = 0.0;
     // Beyond what the numbers hold.
     if (!(s <= zs_far)) {
         s = blind_step();

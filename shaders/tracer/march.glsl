@@ -35,10 +35,9 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         // Close on both sides: what is left between is rounding.
         bool touched = close && !near && near_steps > 0;
         if (near) ++near_steps;
-        real free = max(a.free, epsilon);
-        real next = t + (near ? max(a.free, newton) : stride(free, epsilon));
-        // A proven step past the end proves a miss; after a guess the end is looked at too.
-        bool left = inner == zs_far && next > t1 && ((!zs_guess && t + free > t1) || t >= t1);
+        real next = t + (near ? max(a.free, newton) : stride(max(a.free, epsilon), epsilon));
+        // A proven step past the end proves a miss; otherwise the end is looked at too.
+        bool left = inner == zs_far && next > t1 && ((!zs_guess && t + a.free > t1) || t >= t1);
         next = min(next, t1);
         if (parted) {
             next = outer + stride_back();
