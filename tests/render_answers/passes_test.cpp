@@ -19,7 +19,8 @@ constexpr int width = 75, height = 53;
 class Passes : public testing::Test {
 protected:
     void SetUp() override {
-        document = document_of({"param r = 1\nsphere(r) \\ box(0.6) | x*y = z", sphere_bounds(2)});
+        document = document_of(
+            {"param r = 1\nsphere(r) \\ box(0.6) | x*y = z", sphere_bounds(2), camera({3, 2, 4})});
         auto opened = render::open_osmesa();
         ASSERT_TRUE(opened);
         context = std::move(*opened);
