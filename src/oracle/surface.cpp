@@ -48,7 +48,9 @@ glm::dvec3 SurfaceFinder::gradient(const Found& found, std::size_t leaf, glm::dv
 }
 
 Surface SurfaceFinder::operator()(const Ray& ray, const Found& found, double footprint) {
-    const double t = found.middle();
+    // On a wall of cells the middle may be on either side; what is seen is behind it.
+    const bool behind = found.verdict == Verdict::hit && found.of == Found::Of::solid;
+    const double t = behind ? found.far : found.middle();
     const glm::dvec3 point = ray.at(t);
     Surface surface;
     std::size_t decides = 0;
