@@ -21,7 +21,9 @@ void main() {
     } else {
         vec4 kept = texelFetch(kept_geometry, ivec2(pixel), 0);
         hit = Trace(int(kept.z), kept.x, int(kept.w), false, false, int(kept.y));
-        n = texelFetch(kept_normal, ivec2(pixel), 0).xyz;
+        vec4 told = texelFetch(kept_normal, ivec2(pixel), 0);
+        n = told.xyz;
+        recall_certificate(told.w);
     }
     vec3 light;
     if (first <= zs_light_pass) {

@@ -3,8 +3,10 @@ Trace visible_surface(real3 o, real3 d, out real3 n) {
     Trace hit = Trace(zs_miss, 0.0, -1, false, false, 0);
     real t0, t1;
     if (region_part(o, d, t0, t1)) {
+        certify_start();
         tile_part(t0, t1);
         if (t0 < t1) hit = trace(o, d, t0, t1);
+        certify_trace(hit, o, d, t1);
     }
     n = real3(0.0);
     if (hit.status == zs_hit) {

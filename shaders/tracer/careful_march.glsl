@@ -41,9 +41,12 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             if (!grazing && a.free < epsilon && a.distance < epsilon && a.value * a.rate <= 0.0 &&
                 a.object >= 0) {
                 event = zs_near;
+                certify_step(t, epsilon, 0.0, epsilon, zs_far);
                 break;
             }
-            t += stride(free, epsilon);
+            real way = stride(free, epsilon);
+            certify_step(t, stride_is_checked() ? a.free : way, a.free, epsilon, t1 - t);
+            t += way;
             // A proven step past the end proves a miss; after a guess the end is looked at too.
             if (t > t1) {
                 if ((!zs_guess && before + free > t1) || before >= t1) {
@@ -64,10 +67,12 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             return result;
         }
         bool at_start = event == zs_crossed && result.steps == 0;
+        certify_end();
         Settled settled = settle(o, d, event, before, t, undefined_before, at_start);
         t = settled.t;
         if (settled.surface && t > t1) {
             // There may be another surface on the way.
+            certify_passing();
             grazing = true;
             t = min(before + free, t1);
             continue;
@@ -80,6 +85,7 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             result.cap = at_start;
             return result;
         }
+        certify_passing();
         before = t;
         if (zs_has_edges) undefined_before = 0;
     }

@@ -23,3 +23,4 @@ real stride(real free, real epsilon) {
     real fixed_stride = max(diagonal / (0.875 * frame.march.x), epsilon);
     return 2.0 * away > diagonal ? max(fixed_stride, away / 16.0) : fixed_stride;
 }
+bool stride_is_checked() { return false; }

@@ -76,6 +76,8 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
                 number *= 2;
                 continue;
             }
+            // What has no intervals may have guessed.
+            certify_step(part.x, part.y - part.x, zs_far, 0.0, zs_far);
             ++number;
             int up = min(findLSB(number), level);
             number >>= up;
@@ -84,6 +86,7 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         }
         result.t = part.x;
         if (found) {
+            certify_end();
             Settled settled = settle_part(o, d, part, t0, smallest);
             if (settled.surface) {
                 result.status = settled.t > t1 ? zs_miss : zs_hit;
@@ -93,6 +96,7 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
                 result.cap = settled.answer.free <= 0.0 && part.x <= t0 && settled.t <= t0;
                 return result;
             }
+            certify_passing();
             ++number;
             int up = min(findLSB(number), level);
             number >>= up;

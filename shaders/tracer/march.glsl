@@ -35,7 +35,8 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         // Close on both sides: what is left between is rounding.
         bool touched = close && !near && near_steps > 0;
         if (near) ++near_steps;
-        real next = t + (near ? max(a.free, newton) : stride(max(a.free, epsilon), epsilon));
+        real way = near ? max(a.free, newton) : stride(max(a.free, epsilon), epsilon);
+        real next = t + way;
         // A proven step past the end proves a miss; otherwise the end is looked at too.
         bool left = inner == zs_far && next > t1 && ((!zs_guess && t + a.free > t1) || t >= t1);
         next = min(next, t1);
@@ -45,7 +46,10 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             inner = t;
             next = t - newton;
         } else {
-            if (inner == zs_far) field_accept();
+            if (inner == zs_far) {
+                field_accept();
+                certify_step(t, stride_is_checked() ? a.free : way, a.free, epsilon, t1 - t);
+            }
             outer = t;
         }
         bool crossed = inner < zs_far;
@@ -57,5 +61,6 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         going = status == zs_unresolved && steps < limit;
         if (going) t = next;
     } while (going);
+    if (inner < zs_far) certify_sides();
     return Trace(status, t, a.object, a.turned, at_start, steps);
 }

@@ -33,3 +33,4 @@ real stride(real free, real epsilon) {
     zs_is_relaxed = way > free;
     return way;
 }
+bool stride_is_checked() { return zs_is_relaxed; }

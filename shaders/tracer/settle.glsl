@@ -29,7 +29,10 @@ Settled settle(real3 o, real3 d, int event, real lo, real hi, int undefined_befo
     Answer a;
     for (int i = 0; i < min(int(frame.march.x) + 96, 160); ++i) {
         a = field(o, d, t);
-        if (at_start) return Settled(true, t, a);
+        if (at_start) {
+            certify_sides();
+            return Settled(true, t, a);
+        }
         if (event == zs_passing) {
             field_accept();
             // Some way off, since close to a pole everything looks near.
@@ -56,7 +59,10 @@ Settled settle(real3 o, real3 d, int event, real lo, real hi, int undefined_befo
             bracket_add(bracket, t, a);
             if (bracket_is_small(bracket)) {
                 real middle = 0.5 * (bracket.lo + bracket.hi);
-                if (bracket_is_surface(bracket)) return Settled(true, middle, bracket.inside);
+                if (bracket_is_surface(bracket)) {
+                    certify_sides();
+                    return Settled(true, middle, bracket.inside);
+                }
                 event = zs_passing;
                 t = bracket.hi;
             } else {

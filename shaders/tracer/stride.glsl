@@ -10,6 +10,8 @@ bool stride_has_parted(Answer a, real way);
 real stride_back();
 // How far to go on, where the field allows `free`.
 real stride(real free, real epsilon);
+// Whether the stride may be longer than that, and is looked at where it leads.
+bool stride_is_checked();
 
 // No distance along a ray is told apart from less than this.
 real least_step(real t) { return 2.0 * zs_relative_step * max(t, 1e-3); }

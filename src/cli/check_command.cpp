@@ -21,8 +21,13 @@ int check(const InputOptions& input_options, const CheckOptions& options) {
     const field::Field& field = input->formula.field;
     const auto facts = analysis::find_facts(field, compile::visible_region(input->document.bounds),
                                             compile::parameter_values(field, input->document));
-    fmt::print("{}",
-               options.json ? facts_json(facts, field.graph) : facts_text(facts, field.graph));
+    const shader::ProgramSource source =
+        compile::program_source(input->formula, input->document, {});
+    const std::vector<compile::StepRule> rules = compile::step_rules(
+        field, source, compile::field_numbers(input->formula, source, input->document),
+        input->document);
+    fmt::print("{}", options.json ? facts_json(facts, field.graph, rules)
+                                  : facts_text(facts, field.graph, rules));
     return success;
 }
 

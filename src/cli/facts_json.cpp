@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/facts.h"
+#include "cli/step_rules_json.h"
 
 namespace cli {
 namespace {
@@ -84,13 +85,15 @@ Json json(const analysis::Facts& facts, const graph::Graph& graph) {
 
 }  // namespace
 
-std::string facts_json(const analysis::SceneFacts& facts, const graph::Graph& graph) {
+std::string facts_json(const analysis::SceneFacts& facts, const graph::Graph& graph,
+                       std::span<const compile::StepRule> rules) {
     Json result;
     result["scene"] = json(facts.whole, graph);
     result["objects"] = Json::array();
     for (const analysis::Facts& object : facts.objects) {
         result["objects"].push_back(json(object, graph));
     }
+    result["steps"] = step_rules_json(rules);
     return result.dump(2) + '\n';
 }
 

@@ -95,16 +95,30 @@ std::string paragraph(const std::string& title, const Facts& facts, const graph:
            line("depends on", dependence(facts, graph)) + line("operations", operations(facts));
 }
 
+/// How a ray's steps are found, with tracer and settings of the preset.
+std::string steps(std::span<const compile::StepRule> rules) {
+    if (rules.size() == 1) return fmt::format("steps: {}\n", describe(rules[0]));
+    std::string text = "steps:\n";
+    for (const compile::StepRule& rule : rules) {
+        const std::size_t first = rule.first_object + 1, last = rule.first_object + rule.objects;
+        const std::string name =
+            first == last ? fmt::format("object {}", first) : fmt::format("{} to {}", first, last);
+        text += fmt::format("  {:<12}{}\n", name, describe(rule));
+    }
+    return text;
+}
+
 }  // namespace
 
-std::string facts_text(const analysis::SceneFacts& facts, const graph::Graph& graph) {
-    if (facts.objects.size() == 1) return paragraph("scene", facts.whole, graph);
+std::string facts_text(const analysis::SceneFacts& facts, const graph::Graph& graph,
+                       std::span<const compile::StepRule> rules) {
+    if (facts.objects.size() == 1) return paragraph("scene", facts.whole, graph) + steps(rules);
     std::string text =
         paragraph(fmt::format("scene of {} objects", facts.objects.size()), facts.whole, graph);
     for (std::size_t i = 0; i < facts.objects.size(); ++i) {
         text += paragraph(fmt::format("object {}", i + 1), facts.objects[i], graph);
     }
-    return text;
+    return text + steps(rules);
 }
 
 }  // namespace cli

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "cli/run.h"
 #include "cli/stats.h"
 #include "compile/check_scene.h"
+#include "compile/step_rules.h"
 #include "image/pfm.h"
 #include "image/png.h"
 #include "render/context.h"
@@ -48,6 +50,7 @@ struct Run {
     render::Context& context;
     double analyse_seconds = 0;
     shader::FieldNumbers numbers{};  ///< of the last draw
+    std::vector<compile::StepRule> rules{};
 
     base::Result<render::Still> draw(const shader::Outputs& outputs, int repeat) {
         const auto start = std::chrono::steady_clock::now();
@@ -55,6 +58,7 @@ struct Run {
             compile::program_source(input.formula, input.document, outputs);
         numbers = compile::field_numbers(input.formula, source, input.document);
         analyse_seconds = seconds_since(start);
+        rules = compile::step_rules(input.formula.field, source, numbers, input.document);
         const scene::Document& document = input.document;
         const auto frame_of = [&document](const render::View& view) {
             return render::frame(document, *document.camera, view);
@@ -63,31 +67,39 @@ struct Run {
                                   repeat);
     }
 
-    /// Field evaluations of the primary rays, by a program that counts.
-    base::Result<double> evaluations() {
+    /// Evaluations and certificate of the primary rays, by a program that counts.
+    base::Result<render::Still> counted() {
         const double analysed = analyse_seconds;
-        const auto still = draw({.picture = false, .normal = true, .count = true}, 0);
+        auto still =
+            draw({.picture = false, .normal = true, .count = true, .certificate = true}, 0);
         analyse_seconds = analysed;
+        return still;
+    }
+
+    /// What is proven, as colours.
+    base::Status write_certificate(const std::string& path) {
+        scene::Settings& settings = input.document.settings;
+        const bool shown = std::exchange(settings.show_certificate, true);
+        const auto still = draw({.picture = true}, 0);
+        settings.show_certificate = shown;
         if (!still) return still.problems();
-        double sum = 0;
-        for (std::size_t i = 3; i < still->normal.values.size(); i += 4) {
-            sum += still->normal.values[i];
-        }
-        return sum;
+        return image::write_png(path, still->picture);
     }
 };
 
 base::Result<std::string> stats_of(Run& run, const render::Still& still) {
-    const auto evaluations = run.evaluations();
-    if (!evaluations) return evaluations.problems();
-    return stats_json(still, {.tracer = run.input.document.settings.tracer,
-                              .backend = run.options.backend,
-                              .renderer = run.context.renderer(),
-                              .parse_seconds = run.input.parse_seconds,
-                              .analyse_seconds = run.analyse_seconds,
-                              .evaluations = *evaluations,
-                              .bricks = run.numbers.bricks,
-                              .brick_seconds = run.numbers.brick_seconds});
+    const std::vector<compile::StepRule> rules = run.rules;
+    const auto counted = run.counted();
+    if (!counted) return counted.problems();
+    return stats_json(still, *counted,
+                      {.tracer = run.input.document.settings.tracer,
+                       .backend = run.options.backend,
+                       .renderer = run.context.renderer(),
+                       .parse_seconds = run.input.parse_seconds,
+                       .analyse_seconds = run.analyse_seconds,
+                       .rules = rules,
+                       .bricks = run.numbers.bricks,
+                       .brick_seconds = run.numbers.brick_seconds});
 }
 
 bool write(const RenderOutputs& outputs, const render::Still& still, const std::string& stats) {
@@ -116,7 +128,7 @@ int render_command(const InputOptions& input_options, const RenderOptions& optio
     if (!apply(options, *input)) return usage;
     report(input->source, compile::check_scene(input->formula, input->document));
     for (const std::string& path :
-         {outputs.picture, outputs.depth, outputs.normal, outputs.stats}) {
+         {outputs.picture, outputs.depth, outputs.normal, outputs.certificate, outputs.stats}) {
         if (!path.empty() && path != "-" && !done(check_writable(path))) return failed;
     }
     auto context = options.backend == "egl" ? render::open_egl() : render::open_osmesa();
@@ -142,7 +154,9 @@ int render_command(const InputOptions& input_options, const RenderOptions& optio
         }
         stats = std::move(*text);
     }
-    return write(outputs, *still, stats) ? success : failed;
+    bool good = write(outputs, *still, stats);
+    if (!outputs.certificate.empty()) good &= done(run.write_certificate(outputs.certificate));
+    return good ? success : failed;
 }
 
 }  // namespace cli

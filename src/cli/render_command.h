@@ -11,7 +11,7 @@ namespace cli {
 
 /// Files to write; empty ones are not written. `stats` may be `-` for standard output.
 struct RenderOutputs {
-    std::string picture, depth, normal, stats;
+    std::string picture, depth, normal, certificate, stats;
     int repeat = 0;
 };
 

@@ -46,6 +46,12 @@ CLI::App* add_render(CLI::App& app, Arguments& a) {
         ->type_name("FILE.pfm");
     command->add_option("--normal", a.outputs.normal, "Unit normal, facing the eye; 0 for a miss")
         ->type_name("FILE.pfm");
+    command
+        ->add_option("--certificate", a.outputs.certificate,
+                     "What is proven, a colour each: a hit light grey, a miss dark blue, a hit "
+                     "within rounding yellow, a hit by guessed steps orange, a miss by such brown, "
+                     "out of steps magenta")
+        ->type_name("FILE.png");
     command->add_option("--stats", a.outputs.stats, "Statistics as JSON; - for standard output")
         ->type_name("FILE.json");
     command->add_option("--repeat", a.outputs.repeat, "Render so many frames more, each timed")

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/step_rules_json.h"
 #include "shader/program_source.h"
 
 namespace cli {
@@ -24,9 +25,27 @@ nlohmann::ordered_json bricks_json(const shader::BrickTexels& bricks, double sec
             {"empty", empty},        {"certified", certified}, {"seconds", seconds}};
 }
 
+/// Field evaluations of the primary rays.
+long long evaluations(const render::Still& counted) {
+    double sum = 0;
+    for (std::size_t i = 3; i < counted.normal.values.size(); i += 4) {
+        sum += shader::evaluations_in(counted.normal.values[i]);
+    }
+    return static_cast<long long>(sum);
+}
+
+std::array<long long, shader::certificate_count> certificates(const render::Still& counted) {
+    std::array<long long, shader::certificate_count> count{};
+    for (std::size_t i = 3; i < counted.normal.values.size(); i += 4) {
+        ++count[static_cast<std::size_t>(shader::certificate_in(counted.normal.values[i]))];
+    }
+    return count;
+}
+
 }  // namespace
 
-std::string stats_json(const render::Still& still, const RunFacts& facts) {
+std::string stats_json(const render::Still& still, const render::Still& counted,
+                       const RunFacts& facts) {
     std::array<long long, 3> count{};
     double steps = 0;
     int most_steps = 0;
@@ -51,8 +70,21 @@ std::string stats_json(const render::Still& still, const RunFacts& facts) {
     json["pixels"] = {{"hit", count[static_cast<int>(shader::Status::hit)]},
                       {"miss", count[static_cast<int>(shader::Status::miss)]},
                       {"unresolved", count[static_cast<int>(shader::Status::unresolved)]}};
-    json["steps"] = {{"mean", steps / pixels}, {"most", most_steps}};
-    if (facts.evaluations) json["evaluations"] = static_cast<long long>(*facts.evaluations);
+    const auto proven = certificates(counted);
+    const auto add = [&](const char* name, shader::Certificate certificate) {
+        json["pixels"][name] = proven[static_cast<std::size_t>(certificate)];
+    };
+    add("proven_hit", shader::Certificate::proven_hit);
+    add("proven_miss", shader::Certificate::proven_miss);
+    add("hit_within_rounding", shader::Certificate::hit_within_rounding);
+    add("miss_within_rounding", shader::Certificate::miss_within_rounding);
+    add("heuristic_hit", shader::Certificate::heuristic_hit);
+    add("heuristic_miss", shader::Certificate::heuristic_miss);
+    json["steps"] = {{"mean", steps / pixels},
+                     {"most", most_steps},
+                     {"summary", compile::summary(facts.rules)},
+                     {"by", step_rules_json(facts.rules)}};
+    json["evaluations"] = evaluations(counted);
     if (facts.bricks) json["bricks"] = bricks_json(*facts.bricks, facts.brick_seconds);
     return json.dump(2) + '\n';
 }

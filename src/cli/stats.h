@@ -3,9 +3,10 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
+#include <vector>
 
+#include "compile/step_rules.h"
 #include "render/still.h"
 #include "shader/field_numbers.h"
 
@@ -16,12 +17,14 @@ struct RunFacts {
     std::string tracer, backend, renderer;
     double parse_seconds = 0;
     double analyse_seconds = 0;
-    std::optional<double> evaluations;                  ///< field evaluations of the primary rays
+    std::vector<compile::StepRule> rules;
     std::shared_ptr<const shader::BrickTexels> bricks;  ///< if the program reads any
     double brick_seconds = 0;
 };
 
-/// One JSON object, indented, with a newline at the end. The still needs its geometry.
-std::string stats_json(const render::Still& still, const RunFacts& facts);
+/// One JSON object, indented, with a newline at the end. The still needs its geometry; `counted` is
+/// one of a program that counts evaluations and certificates.
+std::string stats_json(const render::Still& still, const render::Still& counted,
+                       const RunFacts& facts);
 
 }  // namespace cli

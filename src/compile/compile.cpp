@@ -76,6 +76,7 @@ shader::Features features(const Formula& formula, const scene::Document& documen
     features.shadows = settings.shadows;
     features.grid = settings.grid;
     features.show_steps = settings.show_steps;
+    features.show_certificate = settings.show_certificate;
     features.bricks = formula.bricks;
     features.skip_empty_bricks = has_scene_bricks(formula.field);
     features.outputs = outputs;

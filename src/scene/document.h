@@ -56,8 +56,9 @@ struct Settings {
     double shadow = 12;    ///< shadow factor k: small is soft, large is hard
     bool shadows = true;
     bool ambient_occlusion = true;
-    bool grid = false;        ///< the ground grid
-    bool show_steps = false;  ///< colour the number of steps instead of shading
+    bool grid = false;              ///< the ground grid
+    bool show_steps = false;        ///< colour the number of steps instead of shading
+    bool show_certificate = false;  ///< colour what is proven instead of all else
     double exposure = 1;
 
     friend bool operator==(const Settings&, const Settings&) = default;

@@ -70,6 +70,7 @@ inline constexpr std::array settings_fields{
     Field<Settings>{"ambient_occlusion", &Settings::ambient_occlusion},
     Field<Settings>{"grid", &Settings::grid},
     Field<Settings>{"show_steps", &Settings::show_steps},
+    Field<Settings>{"show_certificate", &Settings::show_certificate},
     Field<Settings>{"exposure", &Settings::exposure, {0, 100}},
 };
 

@@ -37,6 +37,7 @@ struct FieldGlsl {
     /// Every answer has a derivative along the ray, which is continuous, and changes its sign at
     /// surfaces only.
     bool is_regular = false;
+    std::set<std::size_t> polynomials;  ///< objects that are walked as polynomials along the ray
 };
 
 /// Writes, for the tree and each leaf (object 0, 1, ... from left to right):

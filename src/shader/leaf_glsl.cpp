@@ -133,6 +133,7 @@ void write_leaves(FieldCode& code) {
         } else if (code.along.contains(i)) {
             write_scalar(code, i, *code.formula(i), "aside");
             write_polynomial(code, i);
+            code.out.polynomials.insert(i);
         } else {
             write_scalar(code, i, *code.formula(i), "leaf");
         }

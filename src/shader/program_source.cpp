@@ -91,6 +91,19 @@ std::string_view prepass_part(const FieldGlsl& generated, const Tracer& tracer,
     return "prepass/cone.glsl";
 }
 
+bool certifies(const Features& features) {
+    return features.show_certificate || features.outputs.certificate;
+}
+
+/// The fourth component of the normal output.
+std::string_view told_of_ray(const Features& features) {
+    if (!certifies(features)) {
+        return features.outputs.count ? "float(primary_evaluations)" : "0.0";
+    }
+    return features.outputs.count ? "float(8 * primary_evaluations + certificate_of(hit.status))"
+                                  : "float(certificate_of(hit.status))";
+}
+
 std::string outputs_code(const Features& features, bool prepass) {
     const Outputs& outputs = features.outputs;
     std::string declarations, body;
@@ -104,24 +117,46 @@ std::string outputs_code(const Features& features, bool prepass) {
         output(1, "geometry",
                "vec4(depth, float(hit.steps), float(hit.status), float(hit.object))");
     }
-    if (outputs.normal)
-        output(2, "normal", outputs.count ? "vec4(n, float(primary_evaluations))" : "vec4(n, 0.0)");
+    if (outputs.normal) output(2, "normal", fmt::format("vec4(n, {})", told_of_ray(features)));
     if (outputs.light) output(3, "light", "vec4(light, 1.0)");
     if (outputs.all())
         return declarations + "void write_pixel(Trace hit, real3 n, vec3 light) {\n" + body + "}\n";
-    const std::string_view evaluations =
-        !outputs.count ? ""
-        : prepass      ? "    int primary_evaluations = zs_evaluations + tile_evaluations();\n"
-                       : "    int primary_evaluations = zs_evaluations;\n";
+    const std::string evaluations =
+        outputs.count ? fmt::format("    int primary_evaluations = zs_evaluations{}{};\n",
+                                    prepass ? " + tile_evaluations()" : "",
+                                    certifies(features) ? " - zs_probes" : "")
+                      : "";
     const std::string_view light =
         outputs.picture || outputs.light ? "    vec3 light = pixel_light(hit, o, d, n);\n" : "";
     return fmt::format("{}void write_pixel(Trace hit, real3 o, real3 d, real3 n) {{\n{}{}{}}}\n",
                        declarations, evaluations, light, body);
 }
 
+/// Distances of iterations are estimates.
+bool has_estimates(const field::Field& field) {
+    return std::ranges::any_of(field::leaves(field, field.root), [&](field::FieldId leaf) {
+        return std::holds_alternative<field::Iteration>(field[leaf]);
+    });
+}
+
+void add_certificate(Assembly& assembly, const field::Field& field, const FieldGlsl& generated,
+                     const Features& features, bool prepass) {
+    if (!certifies(features)) {
+        assembly.add_part("tracer/no_certificate.glsl");
+        return;
+    }
+    // What the coefficients of polynomials are off by is estimated.
+    assembly.add_code(fmt::format(
+        "const bool zs_estimates = {};\nconst bool zs_cones = {};\nconst bool zs_rounding = {};\n",
+        has_estimates(field), prepass, !generated.polynomials.empty()));
+    assembly.add_part("tracer/certificate.glsl");
+}
+
 void add_picture_parts(Assembly& assembly, const Features& features, bool own_colours) {
-    if (features.show_steps || features.show_normals) {
-        assembly.add_part(features.show_steps ? "output/steps.glsl" : "output/normals.glsl");
+    if (features.show_certificate || features.show_steps || features.show_normals) {
+        assembly.add_part(features.show_certificate ? "output/certificate.glsl"
+                          : features.show_steps     ? "output/steps.glsl"
+                                                    : "output/normals.glsl");
         return;
     }
     assembly.add_part(features.shadows ? "light/soft_shadow.glsl" : "light/visibility_all.glsl");
@@ -205,6 +240,7 @@ ProgramSource program_source(const field::Field& field, const Features& features
     Assembly assembly;
     add_field(assembly, generated, tracer, features);
     assembly.add_part(prepass ? "prepass/part.glsl" : "prepass/none.glsl");
+    add_certificate(assembly, field, generated, features, prepass);
     add_tracer(assembly, generated, tracer, features);
     if (generated.needs_differences) assembly.add_part("normal/differences.glsl");
     assembly.add_part("normal/normal.glsl");
@@ -221,7 +257,8 @@ ProgramSource program_source(const field::Field& field, const Features& features
             std::move(generated.expressions),
             std::move(before),
             std::move(generated.bricks),
-            skips_bricks(features)};
+            skips_bricks(features),
+            std::move(generated.polynomials)};
 }
 
 }  // namespace shader

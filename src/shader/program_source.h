@@ -3,6 +3,8 @@
 // parts of shaders/ that the scene uses.
 #pragma once
 
+#include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +18,8 @@ namespace shader {
 /// picture (location 0) sRGB-encoded colour, alpha 1;
 /// geometry (location 1) depth along the unit ray in world units (+infinity for a miss), steps of
 /// the primary ray, status (see Status), object id or -1;
-/// normal (location 2) unit normal facing the eye, 0 for a miss; and evaluations of the field;
+/// normal (location 2) unit normal facing the eye, 0 for a miss; and evaluations of the field,
+/// or, with certificates, 8 times as much and a Certificate;
 /// light (location 3) linear light before exposure and transfer function. A program that writes all
 /// four can also begin with a later pass, from what an earlier frame has left in textures 2 to 4
 /// (shaders/output/passes.glsl).
@@ -26,6 +29,7 @@ struct Outputs {
     bool normal = false;
     bool count = false;  ///< count the evaluations of primary rays: slower
     bool light = false;
+    bool certificate = false;  ///< tell what the primary ray proves: slower
 
     /// Whether a program can begin with a later pass.
     bool all() const { return picture && geometry && normal && light && !count; }
@@ -36,6 +40,23 @@ struct Outputs {
 /// The third component of the geometry output.
 enum class Status { miss = 0, hit = 1, unresolved = 2 };
 
+/// What the primary ray of a pixel proves, up to the rounding of single precision.
+enum class Certificate {
+    proven_hit = 0,   ///< no step was longer than proven, and the surface is between two sides
+    proven_miss = 1,  ///< no step was longer than proven
+    hit_within_rounding = 2,   ///< the same up to epsilon of a pixel, or by rounded coefficients
+    miss_within_rounding = 3,  ///< likewise
+    heuristic_hit = 4,         ///< found by steps that are guesses or estimates
+    heuristic_miss = 5,        ///< likewise
+    unresolved = 6,            ///< out of steps
+};
+inline constexpr int certificate_count = 7;
+/// What the fourth component of a normal output with certificates says.
+inline Certificate certificate_in(float told) {
+    return static_cast<Certificate>(static_cast<long long>(told) % 8);
+}
+inline double evaluations_in(float told) { return std::floor(told / 8); }
+
 /// What is switched on, as far as it changes the program.
 struct Features {
     std::string tracer = "auto";
@@ -44,6 +65,7 @@ struct Features {
     bool shadows = true;
     bool grid = false;
     bool show_steps = false;
+    bool show_certificate = false;
     /// For measuring: colour the normal, or follow no ray but be told its depth (tracer/told.glsl).
     bool show_normals = false;
     bool told_depth = false;
@@ -89,6 +111,8 @@ struct ProgramSource {
     std::vector<field::FieldId> bricks{};
     /// Whether there is one more grid, of bricks in which nothing of the scene is.
     bool scene_bricks = false;
+    /// Objects (leaves from left to right) that are walked as polynomials along the ray.
+    std::set<std::size_t> polynomials{};
 
     /// Whether both are the same program; its numbers are the same then too.
     bool same_text(const ProgramSource& other) const {

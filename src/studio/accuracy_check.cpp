@@ -16,6 +16,7 @@ scene::Settings light_of(scene::Settings settings) {
     apply(tracing_of(initial), settings);
     settings.ambient_occlusion = initial.ambient_occlusion;
     settings.show_steps = initial.show_steps;
+    settings.show_certificate = initial.show_certificate;
     settings.exposure = initial.exposure;
     return settings;
 }
@@ -199,6 +200,7 @@ std::optional<TrialRequest> AccuracyCheck::next_trial() {
                        .expected_seconds = turn->expected_seconds};
     trial.document.camera = key_.scene.camera;
     trial.document.settings.show_steps = false;
+    trial.document.settings.show_certificate = false;
     apply(accuracy_.measured[scheduled_[turn->setting]].tracing, trial.document.settings);
     trial_is_out_ = true;
     return trial;

@@ -164,10 +164,37 @@ void show_measuring(Workspace& workspace) {
     show_accuracy_plot(workspace);
 }
 
+/// What the picture itself proves needs no reference.
+void show_certificate_switch(Workspace& workspace) {
+    scene::Settings& settings = workspace.document.settings;
+    check("Show what is proven", settings.show_certificate,
+          "Colours each pixel by what its own ray proves.");
+    if (!settings.show_certificate) return;
+    struct Colour {
+        ImVec4 colour;
+        const char* word;
+    };
+    // Those of shaders/output/certificate.glsl.
+    static const Colour colours[] = {{{0.84f, 0.84f, 0.84f, 1}, "proven hit"},
+                                     {{0.10f, 0.14f, 0.31f, 1}, "proven miss"},
+                                     {{1.00f, 0.82f, 0.00f, 1}, "hit within rounding"},
+                                     {{0.92f, 0.51f, 0.16f, 1}, "hit by guessed steps"},
+                                     {{0.29f, 0.18f, 0.12f, 1}, "miss by guessed steps"},
+                                     {{1.00f, 0.00f, 1.00f, 1}, "out of steps"}};
+    for (const Colour& each : colours) {
+        const float side = ImGui::GetTextLineHeight();
+        ImGui::ColorButton(each.word, each.colour, ImGuiColorEditFlags_NoTooltip,
+                           ImVec2(side, side));
+        ImGui::SameLine();
+        ImGui::TextUnformatted(each.word);
+    }
+}
+
 }  // namespace
 
 void show_accuracy_panel(Workspace& workspace) {
     show_commands(workspace);
+    show_certificate_switch(workspace);
     show_progress(workspace);
     show_judgement(workspace);
     if (workspace.accuracy.of_this_view) show_measuring(workspace);

@@ -29,6 +29,7 @@ void merge(std::optional<BuiltScene>& old, BuiltScene scene) {
     if (old && !scene.field_numbers) {
         scene.field_numbers = std::move(old->field_numbers);
         scene.bounds = old->bounds;
+        scene.steps = std::move(old->steps);
     }
     old = std::move(scene);
 }

@@ -98,6 +98,7 @@ void EventLoop::take_answers() {
         if (scene->field_numbers) {
             compilation.field_numbers = std::move(*scene->field_numbers);
             compilation.bounds = scene->bounds;
+            compilation.steps = std::move(scene->steps);
             compilation.drawable = true;
         }
         if (scene->program)

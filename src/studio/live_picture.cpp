@@ -157,10 +157,14 @@ bool LivePicture::report_is_due(double now) const {
 }
 
 void LivePicture::make_report() {
+    std::optional<std::size_t> at_risk;
+    // Told by the program only then (SceneBuilder).
+    if (drawn_->document.settings.lipschitz < 1) at_risk = guessed(full_->read_normal());
     report_ = PictureReport{.width = full_->width(),
                             .height = full_->height(),
                             .seconds = scheduler_.full_seconds(),
-                            .statistics = statistics(full_->read_geometry())};
+                            .statistics = statistics(full_->read_geometry()),
+                            .at_risk = at_risk};
     reported_ = true;
 }
 

@@ -41,6 +41,8 @@ struct PictureReport {
     int width = 0, height = 0;
     double seconds = 0;  ///< spent drawing it, without pauses between tiles
     PictureStatistics statistics;
+    /// Pixels whose ray took a step that is not proven; none if the Lipschitz scale is 1 or more.
+    std::optional<std::size_t> at_risk;
 };
 
 /// How much work drawing was, in pixels since the beginning, coarse ones as well.

@@ -43,6 +43,7 @@ void show_view_menu(Workspace& workspace) {
     }
     ImGui::Separator();
     ImGui::MenuItem("Show step count", nullptr, &workspace.document.settings.show_steps);
+    ImGui::MenuItem("Show what is proven", nullptr, &workspace.document.settings.show_certificate);
     ImGui::MenuItem("Ground grid", nullptr, &workspace.document.settings.grid);
     ImGui::Separator();
     ImGui::MenuItem("Panels", "Tab", &workspace.view.panels);

@@ -8,6 +8,16 @@
 
 namespace studio {
 
+std::size_t guessed(const image::Image<float, 4>& normal) {
+    std::size_t count = 0;
+    for (std::size_t i = 3; i < normal.values.size(); i += 4) {
+        const shader::Certificate what = shader::certificate_in(normal.values[i]);
+        count += what == shader::Certificate::heuristic_hit ||
+                 what == shader::Certificate::heuristic_miss;
+    }
+    return count;
+}
+
 PictureStatistics statistics(const image::Image<float, 4>& geometry) {
     PictureStatistics result;
     const std::size_t count = geometry.values.size() / 4;

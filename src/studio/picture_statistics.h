@@ -19,6 +19,9 @@ struct PictureStatistics {
     friend bool operator==(const PictureStatistics&, const PictureStatistics&) = default;
 };
 
+/// The pixels of a normal output with certificates whose ray took a step that is not proven.
+std::size_t guessed(const image::Image<float, 4>& normal);
+
 /// Counts the pixels of a geometry output (depth, steps, status, object).
 PictureStatistics statistics(const image::Image<float, 4>& geometry);
 

@@ -54,6 +54,10 @@ void show_effects(scene::Settings& settings) {
     check("Ground grid", settings.grid);
     check("Show step count", settings.show_steps,
           "Colours each pixel by the number of steps of its ray instead of shading it.");
+    check("Show what is proven", settings.show_certificate,
+          "Colours each pixel by what its ray proves: a hit light grey, a miss dark blue, a hit "
+          "within rounding yellow, a hit by guessed steps orange, a miss by such brown, out of "
+          "steps magenta.");
 }
 
 void show_bounds_shape(scene::Bounds& bounds) {

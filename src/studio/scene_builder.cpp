@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "compile/check_scene.h"
+#include "compile/step_rules.h"
 #include "studio/live_outputs.h"
 
 namespace studio {
@@ -15,6 +16,13 @@ namespace {
 /// Whether compile::field_numbers reads the same of both.
 bool reads_alike(const scene::Document& a, const scene::Document& b) {
     return a.parameters == b.parameters && a.time == b.time && a.bounds == b.bounds;
+}
+
+/// Below 1 the scale makes steps longer than they are proven to be: then that is counted.
+shader::Outputs outputs_for(const scene::Document& document) {
+    shader::Outputs outputs = live_outputs;
+    outputs.certificate = document.settings.lipschitz < 1;
+    return outputs;
 }
 
 }  // namespace
@@ -46,6 +54,8 @@ std::optional<BuiltScene> SceneBuilder::build_throwing(const scene::Document& do
     if (drawn_) {
         built.field_numbers = numbers_of_drawn(document);
         built.bounds = document.bounds;
+        built.steps = compile::summary(compile::step_rules(drawn_->formula.field, drawn_->source,
+                                                           *built.field_numbers, document));
     }
     return built;
 }
@@ -84,7 +94,8 @@ bool SceneBuilder::make_drawable(const scene::Document& document, BuiltScene& bu
         const base::Diagnostics warnings = compile::check_scene(*formula, document);
         built.diagnostics.insert(built.diagnostics.end(), warnings.begin(), warnings.end());
     }
-    shader::ProgramSource source = compile::program_source(*formula, document, live_outputs);
+    shader::ProgramSource source =
+        compile::program_source(*formula, document, outputs_for(document));
     const bool another = !drawn_ || !source.same_text(drawn_->source);
     if (another && rejected_ && source.same_text(*rejected_)) {
         built.failures = rejection_;

@@ -30,6 +30,7 @@ struct BuiltScene {
     /// drawn.
     std::optional<shader::FieldNumbers> field_numbers;
     scene::Bounds bounds;
+    std::string steps;  ///< how they are found, and how sure that is: compile::summary
 };
 
 /// How much work building was, since the beginning.

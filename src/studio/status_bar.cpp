@@ -36,6 +36,25 @@ void show_report(const PictureReport& report) {
     }
 }
 
+/// By what right the picture is right.
+void show_steps(const Workspace& workspace) {
+    separator();
+    const ImVec4 doubtful(0.91f, 0.75f, 0.35f, 1);
+    if (workspace.document.settings.lipschitz >= 1) {
+        ImGui::TextUnformatted(workspace.compilation.steps.c_str());
+        tooltip_of_last(
+            "How the steps of the rays are found. View, Show what is proven colours it.");
+        return;
+    }
+    const std::optional<std::size_t>& at_risk = workspace.report->at_risk;
+    const std::string text = at_risk ? fmt::format("not certified: {} pixels at risk", *at_risk)
+                                     : std::string("not certified");
+    ImGui::TextColored(doubtful, "%s", text.c_str());
+    tooltip_of_last(
+        "With a Lipschitz scale below 1 steps are longer than they are proven to be: surfaces may "
+        "be passed on so many rays.");
+}
+
 }  // namespace
 
 void show_status_bar(const Workspace& workspace) {
@@ -47,7 +66,10 @@ void show_status_bar(const Workspace& workspace) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(state);
     ImGui::SameLine(150 * workspace.scale);
-    if (workspace.report) show_report(*workspace.report);
+    if (workspace.report) {
+        show_report(*workspace.report);
+        show_steps(workspace);
+    }
     const float width = ImGui::CalcTextSize(workspace.renderer.c_str()).x;
     const float place = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
     ImGui::SameLine();

@@ -39,6 +39,7 @@ struct Compilation {
     std::vector<field::Parameter> parameters;  ///< of the last formula that was understood
     shader::FieldNumbers field_numbers;
     scene::Bounds bounds;   ///< what the values hold for
+    std::string steps;      ///< how the steps of its rays are found: compile::summary
     bool drawable = false;  ///< there is a program
     bool busy = false;
 };

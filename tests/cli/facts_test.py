@@ -18,12 +18,14 @@ class Facts(Folder):
         self.assertRegex(lines[4], r"^  extent      \[-1(\.00\d)?, 1(\.00\d)?\] x .*, nothing outside$")
         self.assertEqual(lines[5], "  depends on  x, y, z, a")
         self.assertRegex(lines[6], r"^  operations  \d+ a point, \d+ a frame$")
-        self.assertEqual(len(lines), 7)
+        self.assertRegex(lines[7], r"^steps: certified by a bound of the second derivative \(2(\.\d+)?\)$")
+        self.assertEqual(len(lines), 8)
 
     def test_of_each_object(self):
         result = run("check", "--facts", "--formula", "sphere(1) | x <= 0")
         self.assertEqual([line for line in result.stdout.splitlines() if line[0] != " "],
-                         ["scene of 2 objects: solid", "object 1: solid", "object 2: solid"])
+                         ["scene of 2 objects: solid", "object 1: solid", "object 2: solid", "steps:"])
+        self.assertRegex(result.stdout, "\n  object 1    certified by the distance\n  object 2    certified")
 
     def test_as_json(self):
         result = run("check", "--json", "--formula", "param a = 1\nsphere(a) | x*t = 0")

@@ -40,7 +40,36 @@ class Statistics(Folder):
     def test_are_of_the_region(self):
         stats = self.stats("--region", "5,6,7,8")
         self.assertEqual((stats["width"], stats["height"]), (7, 8))
-        self.assertEqual(sum(stats["pixels"].values()), 56)
+        self.assertEqual(sum(stats["pixels"][name] for name in ("hit", "miss", "unresolved")), 56)
+
+    def test_say_what_is_proven(self):
+        stats = self.stats()
+        pixels = stats["pixels"]
+        self.assertEqual(pixels["proven_hit"] + pixels["hit_within_rounding"], pixels["hit"])
+        self.assertEqual(pixels["proven_miss"], pixels["miss"])
+        self.assertGreater(pixels["proven_hit"], 0.9 * pixels["hit"])
+        self.assertEqual(stats["steps"]["summary"], "certified")
+        self.assertRegex(stats["steps"]["by"][0]["by"],
+                         r"^certified by a bound of the second derivative \(2\.?\d*\)$")
+        # Steps that are longer than the proof allows.
+        for arguments in (["--lipschitz", "0.5"], ["--tracer", "first-order"]):
+            pixels = self.stats(*arguments)["pixels"]
+            self.assertEqual(pixels["proven_hit"], 0)
+            self.assertGreater(pixels["heuristic_hit"], 0)
+        self.assertEqual(self.stats("--lipschitz", "2")["pixels"]["heuristic_hit"], 0)
+
+    def test_say_why_something_is_not_proven(self):
+        for formula, reason in (("1/z = x", "a pole or the edge of a domain"),
+                                ("floor(z) + 0.5 = x", "a jump"),
+                                ("mandelbulb(8, 2)", "an estimate of an iteration")):
+            result = run("render", "--formula", formula, "--size", "8x6", "--stats", "-")
+            stats = json.loads(result.stdout)
+            self.assertRegex(stats["steps"]["summary"],
+                             "^heuristic: " + reason + r"( in \d+ of \d+ bricks)?$")
+            self.assertFalse(stats["steps"]["by"][0]["certified"])
+            pixels = stats["pixels"]
+            # But for what is seen at once.
+            self.assertGreater(pixels["heuristic_hit"], 0.8 * pixels["hit"])
 
     def test_count_bricks(self):
         bricks = self.stats(formula="exp(x^2 + y^2 + z^2) = 2 + x")["bricks"]

@@ -40,6 +40,7 @@ TEST(ProgramSource, changes_with_every_switch) {
         [](auto& d) { d.settings.shadows = !d.settings.shadows; },
         [](auto& d) { d.settings.grid = !d.settings.grid; },
         [](auto& d) { d.settings.show_steps = !d.settings.show_steps; },
+        [](auto& d) { d.settings.show_certificate = !d.settings.show_certificate; },
         [](auto& d) { d.bounds.shape = scene::Bounds::Shape::box; },
         [](auto& d) { d.bounds.shape = scene::Bounds::Shape::none; },
     };

@@ -109,6 +109,7 @@ private:
         s.ambient_occlusion = coin();
         s.grid = coin();
         s.show_steps = coin();
+        s.show_certificate = coin();
         if (coin()) s.exposure = number(0.1, 4);
         return s;
     }

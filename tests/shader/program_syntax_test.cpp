@@ -35,8 +35,9 @@ Finished run(const std::string& command) {
 }
 
 std::vector<Features> all_features() {
-    constexpr Outputs outputs[] = {
-        {true, false, false, false}, {false, true, true, true}, {true, true, true, false}};
+    constexpr Outputs outputs[] = {{true, false, false, false},
+                                   {false, true, true, true, false, true},
+                                   {true, true, true, false}};
     std::vector<Features> list;
     for (const TracerName& tracer : tracers()) {
         for (int bounds = 0; bounds < 3; ++bounds) {
@@ -57,6 +58,9 @@ std::vector<Features> all_features() {
         Features measured;
         measured.tracer = tracer.name;
         measured.show_normals = true;
+        list.push_back(measured);
+        measured.show_normals = false;
+        measured.show_certificate = true;
         list.push_back(measured);
         measured = {};
         measured.tracer = tracer.name;

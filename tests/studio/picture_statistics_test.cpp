@@ -18,6 +18,13 @@ TEST(PictureStatistics, counts_steps_and_endings) {
     EXPECT_EQ(studio::statistics(geometry), expected);
 }
 
+TEST(PictureStatistics, counts_what_is_guessed) {
+    image::Image<float, 4> normal(3, 2);
+    for (int i = 0; i < 6; ++i) normal.at(i % 3, i / 3)[3] = static_cast<float>(8 * 100 + i);
+    EXPECT_EQ(studio::guessed(normal), 2u);
+    EXPECT_EQ(studio::guessed({}), 0u);
+}
+
 TEST(PictureStatistics, of_no_pixels_are_nothing) {
     EXPECT_EQ(studio::statistics({}), studio::PictureStatistics{});
 }
