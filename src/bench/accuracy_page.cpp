@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -142,9 +143,32 @@ std::string torture_table(const std::vector<TortureScene>& torture) {
     return markdown_table(rows);
 }
 
+std::string limits_table(const std::vector<PrecisionLimit>& limits) {
+    Rows rows{{"zoom"}};
+    std::set<double> zooms;
+    for (const PrecisionLimit& limit : limits) {
+        rows[0].push_back(limit.fractal);
+        for (const PrecisionLimit::Step& step : limit.steps) zooms.insert(step.zoom);
+    }
+    for (const double zoom : zooms) {
+        rows.push_back({fmt::format("{:.3g}", zoom)});
+        for (const PrecisionLimit& limit : limits) {
+            const auto step = std::ranges::find(limit.steps, zoom, &PrecisionLimit::Step::zoom);
+            rows.back().push_back(
+                step == limit.steps.end() ? "" : fmt::format("{:.1f} %", 100 * step->wrong_share));
+        }
+    }
+    rows.push_back({"good up to"});
+    for (const PrecisionLimit& limit : limits) {
+        rows.back().push_back(fmt::format("{:.3g}", limit.zoom));
+    }
+    return markdown_table(rows);
+}
+
 }  // namespace
 
-std::string accuracy_page(const Report& report, const std::vector<TortureScene>& torture) {
+std::string accuracy_page(const Report& report, const std::vector<TortureScene>& torture,
+                          const std::vector<PrecisionLimit>& limits) {
     std::string page =
         "# Accuracy\n\n"
         "How wrong each tracer is. What it costs is on [another page](performance.md).\n\n";
@@ -176,6 +200,14 @@ std::string accuracy_page(const Report& report, const std::vector<TortureScene>&
             "tests hold every tracer to these numbers of wrong pixels (missed, phantom, moved), "
             "which may only shrink.\n\n" +
             torture_table(torture);
+    }
+    if (!limits.empty()) {
+        page +=
+            "## How deep zooms go\n\nWrong pixels in pictures of 40x30 pixels of ever smaller "
+            "parts "
+            "of the fractals, and the last zoom at which fewer than a quarter are wrong "
+            "(`tests/torture/precision_limits.json`).\n\n" +
+            limits_table(limits);
     }
     page.pop_back();
     return page;

@@ -2,6 +2,7 @@
 #include "bench/measure.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "bench/interleave.h"
@@ -43,6 +44,7 @@ public:
                                             const Options& options,
                                             const oracle::Reference* reference);
 
+    void time_compiling();
     base::Status add_yardstick();
     base::Status add_tracer(const std::string& tracer);
     base::Status add_plain(const std::string& name);
@@ -134,6 +136,27 @@ base::Result<std::size_t> Measurement::add_program(const shader::ProgramSource& 
     if (!kept) return kept.problems();
     programs_.push_back(std::move(*kept));
     return programs_.size() - 1;
+}
+
+/// What comes before linking.
+void Measurement::time_compiling() {
+    using Clock = std::chrono::steady_clock;
+    const auto since = [](Clock::time_point start) {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    const Clock::time_point start = Clock::now();
+    const auto formula = compile::compile_formula(subject_.document.formula);
+    report.parse_seconds = since(start);
+    const scene::Document own = document("auto", {});
+    std::vector<double> seconds;
+    // A slow one shows itself at once.
+    for (int i = 0; i < 5 && (seconds.empty() || seconds[0] < slow_seconds); ++i) {
+        const Clock::time_point begin = Clock::now();
+        const auto source = compile::program_source(subject_.formula, own, picture_only);
+        compile::field_numbers(subject_.formula, source, own);
+        seconds.push_back(since(begin));
+    }
+    report.analyse_seconds = quantile(seconds, 0.5);
 }
 
 base::Status Measurement::add_yardstick() {
@@ -340,6 +363,7 @@ base::Result<Measured> measure(render::Context& context, const Subject& subject,
                                const Options& options, const oracle::Reference* reference) {
     auto work = Measurement::create(context, subject, options, reference);
     if (!work) return work.problems();
+    work->time_compiling();
     if (auto added = work->add_yardstick(); !added) return added.problems();
     for (const std::string& tracer : options.tracers) {
         if (auto added = work->add_tracer(tracer); !added) return added.problems();

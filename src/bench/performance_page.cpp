@@ -8,6 +8,7 @@
 #include "bench/page_parts.h"
 #include "bench/pages.h"
 #include "bench/statistics.h"
+#include "bench/targets.h"
 
 namespace bench {
 namespace {
@@ -69,8 +70,8 @@ std::string ratios(const Report& report) {
 }
 
 std::string passes(const Report& report) {
-    Rows rows{{"preset", "tracer", "to the surface", "normal", "light", "shadows", "link, ms",
-               "first frame, ms"}};
+    Rows rows{{"preset", "tracer", "to the surface", "normal", "light", "shadows", "parse, ms",
+               "analysis, ms", "link, ms", "first frame, ms"}};
     for (const PresetReport& preset : report.presets) {
         for (const Entry& entry : preset.entries) {
             if (!entry.passes) continue;
@@ -78,6 +79,8 @@ std::string passes(const Report& report) {
             for (const double share : shares(*entry.passes)) {
                 rows.back().push_back(fmt::format("{:.0f} %", 100 * share));
             }
+            rows.back().push_back(fmt::format("{:.1f}", 1e3 * preset.parse_seconds));
+            rows.back().push_back(fmt::format("{:.1f}", 1e3 * preset.analyse_seconds));
             rows.back().push_back(fmt::format("{:.0f}", 1e3 * entry.link_seconds));
             rows.back().push_back(fmt::format("{:.0f}", 1e3 * entry.first_frame_seconds));
         }
@@ -99,18 +102,24 @@ std::string means_table(const Report& report) {
     return markdown_table(rows);
 }
 
-std::string performance_page(const Report& report) {
+std::string performance_page(const Report& report, const std::vector<TortureScene>& torture) {
     std::string page =
         "# Performance\n\n"
         "How long a frame takes, and what that is worth. The errors of the same run are on "
         "[another page](accuracy.md).\n\n";
     page += run_description(report);
     page +=
+        "## What was asked\n\nWith the tracer auto. The time from text to picture is that of "
+        "parsing, analysis, linking and the first frame; what is below is not rounded in our "
+        "favour.\n\n" +
+        targets_table(targets(report, torture));
+    page +=
         "## What it is compared with\n\n"
         "- **plain**: the shader that people write by hand (`tests/bench/plain/`). For fractals "
         "the "
-        "usual distance estimator, with angles for the Mandelbulb, and at most 256 steps; for a "
-        "single formula *plain sphere*, |f| over the region's Lipschitz constant with at most 4096 "
+        "usual distance estimator, with angles for the Mandelbulb, and at most 256 steps; for "
+        "formulas, joined by minimum and maximum, *plain sphere*, |f| over the region's Lipschitz "
+        "constant with at most 4096 "
         "steps, and *plain first-order*, |f| / |grad f| taken for a distance, which is unsafe. "
         "Normals are by six evaluations. Camera, bounds and light are the same, a shadow ray for "
         "each light.\n"

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "bench/generated.h"
 #include "bench/plain_parts.h"
 #include "bench/report.h"
+#include "field/overloaded.h"
 #include "passes/differentiate.h"
 #include "passes/pipeline.h"
 #include "shader/assembly.h"
@@ -47,9 +50,39 @@ const Fractal* fractal_of(const Subject& subject) {
     return found == fractals.end() ? nullptr : &*found;
 }
 
-const field::Formula* formula_of(const Subject& subject) {
-    const field::Field& field = subject.formula.field;
-    return std::get_if<field::Formula>(&field[field.root]);
+/// All of a scene as one expression.
+struct Whole {
+    graph::NodeId value{};
+    bool is_sheet = false;
+};
+
+/// Of formulas and their set operations: minimum, maximum and sign. Nothing if there is anything
+/// else, or a sheet beside something.
+std::optional<Whole> whole(const field::Field& field, field::FieldId id, graph::Graph& graph) {
+    const auto pair = [&](const auto& node, graph::Op op) -> std::optional<Whole> {
+        const auto a = whole(field, node.a, graph), b = whole(field, node.b, graph);
+        if (!a || !b || a->is_sheet || b->is_sheet) return std::nullopt;
+        return Whole{graph.apply(op, a->value, b->value), false};
+    };
+    return std::visit(
+        field::Overloaded{
+            [&](const field::Formula& leaf) -> std::optional<Whole> {
+                return Whole{leaf.value, leaf.kind == field::Kind::sheet};
+            },
+            [&](const field::Union& node) { return pair(node, graph::Op::min); },
+            [&](const field::Intersection& node) { return pair(node, graph::Op::max); },
+            [&](const field::Complement& node) {
+                auto inner = whole(field, node.a, graph);
+                if (inner) inner->value = graph.apply(graph::Op::neg, inner->value);
+                return inner;
+            },
+            [](const auto&) -> std::optional<Whole> { return std::nullopt; },
+        },
+        field[id]);
+}
+
+std::optional<Whole> whole(const Subject& subject, graph::Graph& graph) {
+    return whole(subject.formula.field, subject.formula.field.root, graph);
 }
 
 std::string function(shader::ExpressionWriter& writer, std::string_view head,
@@ -65,16 +98,17 @@ std::string function(shader::ExpressionWriter& writer, std::string_view head,
 /// The formula's functions, and the numbers that they and the template need.
 struct Written {
     std::string functions, inverse_lipschitz;
+    bool is_sheet = false;
     std::vector<shader::FieldValue> values;
     eval::Tape expressions;
 };
 
 Written write_formula(const Subject& subject) {
     graph::Graph graph = subject.formula.field.graph;
-    const field::Formula& leaf = *formula_of(subject);
-    const auto gradient = passes::gradient(graph, leaf.value);
+    const Whole all = *whole(subject, graph);
+    const auto gradient = passes::gradient(graph, all.value);
     const auto roots =
-        passes::run(graph, std::array{leaf.value, gradient[0], gradient[1], gradient[2]},
+        passes::run(graph, std::array{all.value, gradient[0], gradient[1], gradient[2]},
                     passes::Stage::evaluation);
     const std::vector<bool> depends = depends_on_variables(graph);
     shader::FieldValues values;
@@ -84,6 +118,7 @@ Written write_formula(const Subject& subject) {
             {{graph::variable_x, "p.x"}, {graph::variable_y, "p.y"}, {graph::variable_z, "p.z"}});
     };
     Written written;
+    written.is_sheet = all.is_sheet;
     auto value_writer = writer(), gradient_writer = writer();
     written.functions = function(value_writer, "float f(vec3 p)", std::array{roots[0]});
     written.functions +=
@@ -136,7 +171,9 @@ void add_end(shader::Assembly& assembly, const shader::Outputs& outputs) {
 
 std::vector<std::string> plain_names(const Subject& subject) {
     if (fractal_of(subject)) return {std::string(plain_name)};
-    if (!formula_of(subject)) return {};
+    if (generated_scene(subject.name)) return {};
+    graph::Graph graph = subject.formula.field.graph;
+    if (!whole(subject, graph)) return {};
     std::vector<std::string> names{std::string(plain_first_order_name)};
     shader::ProgramSource bound;
     bound.field_values = {
@@ -159,11 +196,10 @@ shader::ProgramSource plain_source(const Subject& subject, const std::string& na
         assembly.add_code(plain_parts().find(fractal.part)->second);
     } else {
         written = write_formula(subject);
-        assembly.add_code(
-            fmt::format("layout(std140, binding = 1) uniform Field {{ vec4 field_values[{}]; }};\n"
-                        "#define inverse_lipschitz {}\nconst bool is_sheet = {};\n",
-                        (written.values.size() + 3) / 4, written.inverse_lipschitz,
-                        formula_of(subject)->kind == field::Kind::sheet));
+        assembly.add_code(fmt::format(
+            "layout(std140, binding = 1) uniform Field {{ vec4 field_values[{}]; }};\n"
+            "#define inverse_lipschitz {}\nconst bool is_sheet = {};\n",
+            (written.values.size() + 3) / 4, written.inverse_lipschitz, written.is_sheet));
         assembly.add_code(plain_parts().at("operators.glsl"));
         const auto& text = plain_parts().at(name == plain_sphere_name ? "sphere_tracing.glsl"
                                                                       : "first_order.glsl");

@@ -11,8 +11,9 @@
 namespace bench {
 
 /// Names of those that are meant for a scene, of report.h: `plain` for a quaternion Julia set, a
-/// Mandelbulb or a Menger sponge as shipped; for a scene of one formula `plain sphere`, where its
-/// slope is bounded over the region, and `plain first-order`; none for all others.
+/// Mandelbulb or a Menger sponge as shipped; for a scene of formulas and their set
+/// operations `plain sphere`, where its slope is bounded over the region, and `plain first-order`;
+/// none for all others.
 std::vector<std::string> plain_names(const Subject& subject);
 
 /// One of them with this scene's numbers: camera, bounds, lights, materials and the accuracy of a

@@ -68,8 +68,10 @@ struct Entry {
 /// All of one preset. In each round each of its entries was drawn once, but for slow ones.
 struct PresetReport {
     std::string preset;
-    bool smooth = false;  ///< proven: smooth, and defined all over the bounds
-    bool proven = true;   ///< the reference proves what it does not call undecided
+    bool smooth = false;         ///< proven: smooth, and defined all over the bounds
+    bool proven = true;          ///< the reference proves what it does not call undecided
+    double parse_seconds = 0;    ///< from the text to a field that has passed all passes
+    double analyse_seconds = 0;  ///< from that to the program's text and numbers: a median
     std::vector<double> yardstick_seconds;   ///< by round: what a fixed program took beside them
     std::map<std::string, double> settings;  ///< the preset's own, of those that can be moved
     std::vector<Entry> entries;

@@ -99,9 +99,14 @@ Entry entry(const Json& j) {
 }
 
 Json json(const PresetReport& p) {
-    Json j{{"preset", p.preset},     {"smooth", p.smooth},
-           {"proven", p.proven},     {"yardstick_seconds", p.yardstick_seconds},
-           {"settings", p.settings}, {"entries", Json::array()}};
+    Json j{{"preset", p.preset},
+           {"smooth", p.smooth},
+           {"proven", p.proven},
+           {"yardstick_seconds", p.yardstick_seconds},
+           {"settings", p.settings},
+           {"parse_seconds", p.parse_seconds},
+           {"analyse_seconds", p.analyse_seconds},
+           {"entries", Json::array()}};
     for (const Entry& e : p.entries) j["entries"].push_back(json(e));
     return j;
 }
@@ -113,6 +118,8 @@ PresetReport preset(const Json& j) {
     j.at("proven").get_to(p.proven);
     j.at("yardstick_seconds").get_to(p.yardstick_seconds);
     j.at("settings").get_to(p.settings);
+    p.parse_seconds = j.value("parse_seconds", 0.0);
+    p.analyse_seconds = j.value("analyse_seconds", 0.0);
     for (const Json& e : j.at("entries")) p.entries.push_back(entry(e));
     return p;
 }

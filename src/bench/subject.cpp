@@ -8,6 +8,7 @@
 
 #include "analysis/facts.h"
 #include "base/file.h"
+#include "bench/generated.h"
 #include "compile/visible_region.h"
 #include "scene/preset.h"
 
@@ -47,14 +48,21 @@ bool is_folder(const fs::path& path) {
     return fs::is_directory(path, ignored);
 }
 
-}  // namespace
-
-base::Result<Subject> read_subject(const fs::path& path, const std::string& name, double aspect) {
+base::Result<scene::Document> read_document(const fs::path& path, const std::string& name) {
+    if (auto scene = generated_scene(name)) return std::move(*scene);
     const auto text = base::read_text(path, scene::largest_preset);
     if (!text) return text.problems();
     auto preset = scene::read_preset(*text);
     if (!preset) return of_file(path, preset.problems());
-    Subject subject{name, std::move(preset->document), {}, false};
+    return std::move(preset->document);
+}
+
+}  // namespace
+
+base::Result<Subject> read_subject(const fs::path& path, const std::string& name, double aspect) {
+    auto document = read_document(path, name);
+    if (!document) return document.problems();
+    Subject subject{name, std::move(*document), {}, false};
     auto formula = compile::compile_formula(subject.document.formula);
     if (!formula) return of_file(path, formula.problems());
     const auto problems =
@@ -64,7 +72,8 @@ base::Result<Subject> read_subject(const fs::path& path, const std::string& name
     subject.document.camera = scene::camera_of(subject.document, aspect);
     subject.document.settings.grid = false;
     subject.document.settings.show_steps = false;
-    subject.smooth = is_smooth(subject);
+    subject.document.settings.show_certificate = false;
+    subject.smooth = !generated_scene(name) && is_smooth(subject);
     return subject;
 }
 
@@ -78,9 +87,16 @@ base::Result<std::vector<NamedFile>> find_subjects(const std::vector<std::string
     const auto add_folder = [&](const fs::path& folder) {
         for (const fs::path& relative : scene::list_presets(folder)) add(folder / relative);
     };
-    if (names.empty()) add_folder(shipped);
+    if (names.empty()) {
+        add_folder(shipped);
+        for (const std::string_view name : {few_name, many_name}) {
+            list.push_back({fs::path(name), std::string(name)});
+        }
+    }
     for (const std::string& name : names) {
-        if (is_folder(shipped / name)) {
+        if (generated_scene(name)) {
+            list.push_back({fs::path(name), name});
+        } else if (is_folder(shipped / name)) {
             add_folder(shipped / name);
         } else if (is_folder(name)) {
             add_folder(name);

@@ -20,7 +20,7 @@ struct Subject {
     bool smooth = false;
 };
 
-/// Reads and compiles a preset. Errors name the file.
+/// Reads and compiles a preset, or a scene of bench/generated.h. Errors name the file.
 base::Result<Subject> read_subject(const std::filesystem::path& path, const std::string& name,
                                    double aspect);
 
@@ -31,7 +31,8 @@ struct NamedFile {
 };
 
 /// The files that some names mean: a preset each, or a folder of them, shipped or by its path;
-/// without names all shipped presets. Each once, in the order of the names.
+/// without names all shipped presets and the
+/// generated scenes. Each once, in the order of the names.
 base::Result<std::vector<NamedFile>> find_subjects(const std::vector<std::string>& names);
 
 }  // namespace bench

@@ -33,4 +33,25 @@ base::Result<std::vector<TortureScene>> read_torture(std::string_view text,
     }
 }
 
+base::Result<std::vector<PrecisionLimit>> read_precision_limits(std::string_view text,
+                                                                const std::string& name) {
+    using Json = nlohmann::ordered_json;
+    try {
+        std::vector<PrecisionLimit> list;
+        const Json json = Json::parse(text);
+        for (const auto& [fractal, found] : json.items()) {
+            PrecisionLimit limit{fractal, found.at("limit").get<double>(), {}};
+            for (const Json& step : found.at("steps")) {
+                limit.steps.push_back(
+                    {step.at("zoom").get<double>(), step.at("wrong_share").get<double>()});
+            }
+            list.push_back(std::move(limit));
+        }
+        return list;
+    } catch (const Json::exception&) {
+        return base::error(fmt::format(
+            "'{}' has no limits of precision; it is tests/torture/precision_limits.json", name));
+    }
+}
+
 }  // namespace bench

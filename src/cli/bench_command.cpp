@@ -4,11 +4,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/file.h"
 #include "bench/baseline.h"
+#include "bench/generated.h"
 #include "bench/machine.h"
 #include "bench/measure.h"
 #include "bench/pages.h"
@@ -30,7 +32,9 @@ constexpr std::size_t largest_report = std::size_t{256} << 20;
 /// What is right; nothing if it is not wanted.
 base::Result<std::optional<oracle::Reference>> reference_of(const BenchOptions& options,
                                                             const bench::Subject& subject) {
-    if (options.no_reference) return std::optional<oracle::Reference>();
+    if (options.no_reference || bench::generated_scene(subject.name)) {
+        return std::optional<oracle::Reference>();
+    }
     oracle::Query query;
     query.width = options.run.reference_width;
     query.height = options.run.reference_height;
@@ -47,7 +51,12 @@ base::Result<bench::Measured> measure_one(render::Context& context, const BenchO
     if (!subject) return subject.problems();
     const auto reference = reference_of(options, *subject);
     if (!reference) return reference.problems();
-    return bench::measure(context, *subject, options.run, *reference ? &**reference : nullptr);
+    bench::Options run = options.run;
+    if (bench::generated_scene(file.name)) {
+        run.tracers = {"auto"};
+        run.sweeps.clear();
+    }
+    return bench::measure(context, *subject, run, *reference ? &**reference : nullptr);
 }
 
 /// A run, and the pictures of each preset.
@@ -86,22 +95,36 @@ base::Result<Run> measure_all(const BenchOptions& options,
     return run;
 }
 
+/// What a file of tests/torture/ says; nothing if it is not there.
+template <class Record, class Read>
+base::Result<std::vector<Record>> read_record(const std::filesystem::path& path, Read read) {
+    if (!std::filesystem::exists(path)) return std::vector<Record>();
+    const auto text = base::read_text(path, largest_report);
+    if (!text) return text.problems();
+    return read(*text, path.string());
+}
+
 base::Status write_docs(const std::string& folder, const bench::Report& report) {
     namespace fs = std::filesystem;
-    std::vector<bench::TortureScene> torture;
-    const fs::path record = fs::path(folder) / ".." / "tests" / "torture" / "known_failures.json";
-    if (fs::exists(record)) {
-        const auto text = base::read_text(record, largest_report);
-        if (!text) return text.problems();
-        auto read = bench::read_torture(*text, record.string());
-        if (!read) return read.problems();
-        torture = std::move(*read);
+    const fs::path suite = fs::path(folder) / ".." / "tests" / "torture";
+    auto torture =
+        read_record<bench::TortureScene>(suite / "known_failures.json", bench::read_torture);
+    if (!torture) return torture.problems();
+    for (bench::TortureScene& scene : *torture) {
+        const fs::path file = suite / "scenes" / (scene.name + ".json");
+        if (!fs::exists(file)) continue;
+        const auto subject = bench::read_subject(file, scene.name, 4.0 / 3);
+        if (!subject) return subject.problems();
+        scene.smooth = subject->smooth;
     }
+    const auto limits = read_record<bench::PrecisionLimit>(suite / "precision_limits.json",
+                                                           bench::read_precision_limits);
+    if (!limits) return limits.problems();
     const auto written = base::write_atomically(fs::path(folder) / "performance.md",
-                                                bench::performance_page(report));
+                                                bench::performance_page(report, *torture));
     if (!written) return written;
     return base::write_atomically(fs::path(folder) / "accuracy.md",
-                                  bench::accuracy_page(report, torture));
+                                  bench::accuracy_page(report, *torture, *limits));
 }
 
 base::Status write(const BenchOptions& options, const Run& run) {

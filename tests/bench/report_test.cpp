@@ -9,6 +9,7 @@
 #include <sstream>
 #include <vector>
 
+#include "bench/generated.h"
 #include "bench/hand_made.h"
 #include "bench/markdown.h"
 #include "bench/pages.h"
@@ -17,6 +18,7 @@
 #include "bench/report_html.h"
 #include "bench/report_json.h"
 #include "bench/report_text.h"
+#include "bench/targets.h"
 
 namespace bench {
 namespace {
@@ -160,12 +162,12 @@ TEST(Markdown, is_a_table) {
 
 TEST(Pages, hold_the_numbers_of_the_run) {
     const Report report = hand_made();
-    const std::string performance = performance_page(report);
+    const std::string performance = performance_page(report, {});
     EXPECT_TRUE(has(performance, "| auto |  | 0.50 (1) |  | 4.00 (1) |"));
     EXPECT_TRUE(has(performance, "| surfaces/ball | 4.00 | 10.00 |  | 8.00 |  | 1.00 |"));
     EXPECT_TRUE(has(performance, "| surfaces/ball | auto | 25 % | 25 % | 25 % | 25 % |"));
     EXPECT_TRUE(has(performance, "```\nzeroset bench\n```"));
-    const std::string accuracy = accuracy_page(report, {});
+    const std::string accuracy = accuracy_page(report, {}, {});
     EXPECT_TRUE(has(accuracy, "| surfaces/ball | 2 (0, 2, 0) | 0 |  | 50 (0, 50, 0) |  |"));
     EXPECT_TRUE(has(accuracy, "| auto | lipschitz 2 | 1 | 1.0000 % | 1.50 |"));
     EXPECT_FALSE(has(accuracy, "Torture"));
@@ -175,6 +177,93 @@ TEST(Pages, hold_the_numbers_of_the_run) {
     }
 }
 
+/// What was measured of a target, and whether it was met.
+std::string reached(const Report& report, const std::vector<TortureScene>& torture,
+                    const std::string& what) {
+    for (const Target& target : targets(report, torture)) {
+        if (target.what != what) continue;
+        return target.reached + (!target.met ? "" : *target.met ? ": yes" : ": no");
+    }
+    return "there is no such target";
+}
+
+TEST(Targets, are_held_against_the_run) {
+    Report report = hand_made();
+    EXPECT_EQ(reached(report, {}, "wrong pixels, smooth presets"),
+              "400.00 in 20,000 (2 of 100): no");
+    EXPECT_EQ(reached(report, {}, "time to the limit, each preset"),
+              "0 of 1; at most 4 (surfaces/ball): no");
+    report.presets[0].entries[0].errors->phantom = 0;
+    report.presets[0].entries.back().seconds = {2e-3, 4e-3, 2e-3};
+    EXPECT_EQ(reached(report, {}, "wrong pixels, smooth presets"),
+              "0.00 in 20,000 (0 of 100): yes");
+    EXPECT_EQ(reached(report, {}, "time to the limit, each preset"),
+              "1 of 1; at most 2 (surfaces/ball): yes");
+    EXPECT_EQ(reached(report, {}, "wrong pixels, smooth torture scenes"), "");
+    report.presets[0].parse_seconds = 0.1;
+    report.presets[0].analyse_seconds = 0.02;
+    report.presets[0].entries[0].link_seconds = 0.01;
+    report.presets[0].entries[0].first_frame_seconds = 0.03;
+    EXPECT_EQ(reached(report, {}, "analysis of each preset"),
+              "0 of 1; at most 20 ms (surfaces/ball): no");
+    EXPECT_EQ(reached(report, {}, "from text to picture, formulas"),
+              "0 of 1; at most 160 ms (surfaces/ball): no");
+    EXPECT_EQ(reached(report, {}, "from text to picture, fractals"), "");
+}
+
+TEST(Targets, compare_fractals_with_the_shaders_by_hand) {
+    Report report = hand_made();
+    PresetReport fractal = report.presets[0];
+    fractal.preset = "fractals/mandelbulb";
+    fractal.entries = {entry("auto", {}, {1e-3, 2e-3}, 0), entry("plain", {}, {8e-3, 16e-3}, 0)};
+    report.presets.push_back(fractal);
+    EXPECT_EQ(reached(report, {}, "time to plain, fractals/mandelbulb"),
+              "0.12, 1.0e-06 against 1.0e-06: yes");
+    report.presets[1].entries[0].errors->depth_99 = 2e-6;
+    EXPECT_EQ(reached(report, {}, "time to plain, fractals/mandelbulb"),
+              "0.12, 2.0e-06 against 1.0e-06: no");
+}
+
+TEST(Targets, count_smooth_torture_scenes_only) {
+    TortureScene smooth{.name = "degree/a", .smooth = true, .compared = 20'000, .tracers = {}};
+    smooth.tracers["auto"] = {1, 0, 1, 0};
+    TortureScene rough = smooth;
+    rough.smooth = false;
+    EXPECT_EQ(reached({}, {smooth, rough}, "wrong pixels, smooth torture scenes"),
+              "2.00 in 20,000 (2 of 20000): no");
+}
+
+TEST(Targets, compare_a_thousand_primitives_with_ten) {
+    Report report;
+    for (const std::string_view name : {few_name, many_name}) {
+        PresetReport preset;
+        preset.preset = std::string(name);
+        preset.entries = {entry("auto", {}, {name == few_name ? 1e-3 : 2.5e-3}, 0)};
+        report.presets.push_back(preset);
+    }
+    EXPECT_EQ(reached(report, {}, "time of 1,000 primitives to that of 10"),
+              "2.50 (30 % and 30 % of the picture are covered): yes");
+    // They are no presets.
+    EXPECT_EQ(reached(report, {}, "analysis of each preset"), "");
+}
+
+TEST(Pages, say_how_deep_zooms_go) {
+    const auto limits = read_precision_limits(
+        R"({"julia": {"limit": 10000.0, "steps": [{"zoom": 100, "wrong_share": 0.0757},
+                                                 {"zoom": 31600.0, "wrong_share": 0.25}]},
+            "menger": {"limit": 100.0, "steps": [{"zoom": 100, "wrong_share": 0.5}]}})",
+        "limits.json");
+    ASSERT_TRUE(limits);
+    const std::string page = accuracy_page(hand_made(), {}, *limits);
+    EXPECT_TRUE(has(page, "| zoom | julia | menger |"));
+    EXPECT_TRUE(has(page, "| 100 | 7.6 % | 50.0 % |"));
+    EXPECT_TRUE(has(page, "| 3.16e+04 | 25.0 % |  |"));
+    EXPECT_TRUE(has(page, "| good up to | 1e+04 | 100 |"));
+    EXPECT_EQ(read_precision_limits("[1]", "limits.json").problems()[0].message,
+              "'limits.json' has no limits of precision; it is "
+              "tests/torture/precision_limits.json");
+}
+
 TEST(Pages, have_the_torture_suite) {
     const auto torture = read_torture(R"({"size": [64, 48], "scenes": {"poles/two": {
         "reference": {"compared": 10, "undecided": 3, "fragile": 0},
@@ -182,7 +271,7 @@ TEST(Pages, have_the_torture_suite) {
                     "march": {"missed": 0, "phantom": 0, "moved": 0, "unresolved": 9}}}}})",
                                       "known.json");
     ASSERT_TRUE(torture);
-    const std::string page = accuracy_page(hand_made(), *torture);
+    const std::string page = accuracy_page(hand_made(), *torture, {});
     EXPECT_TRUE(has(page, "| scene | undecided | auto | march |"));
     EXPECT_TRUE(has(page, "| poles/two | 3 | 3 (1, 2, 0) | 0 |"));
     EXPECT_EQ(read_torture("{}", "known.json").problems()[0].message,

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "base/temporary_folder.h"
+#include "bench/generated.h"
 
 namespace bench {
 namespace {
@@ -67,6 +68,21 @@ TEST_F(SubjectTest, a_bad_preset_is_an_error_that_names_the_file) {
     EXPECT_FALSE(read_subject(write("wrong.json", R"({"zeroset": 1, "formula": ["param a = 1",
                  "x = a"], "parameters": {"a": "high"}})"),
                               "wrong", 1));
+}
+
+TEST_F(SubjectTest, has_scenes_of_many_primitives) {
+    for (const auto& [name, count] : {std::pair{few_name, 10U}, {many_name, 1000U}}) {
+        EXPECT_EQ(names({std::string(name)}), std::vector{std::string(name)});
+        const auto subject = read_subject(name, std::string(name), 1);
+        ASSERT_TRUE(subject) << subject.problems()[0].message;
+        const std::string& text = subject->document.formula;
+        std::size_t balls = 0;
+        for (std::size_t at = text.find("ball("); at != std::string::npos;
+             at = text.find("ball(", at + 1)) {
+            ++balls;
+        }
+        EXPECT_EQ(balls, count + 1);  // and the definition
+    }
 }
 
 TEST_F(SubjectTest, knows_what_is_proven_to_be_smooth) {

@@ -68,8 +68,11 @@ class Statistics(Folder):
                              "^heuristic: " + reason + r"( in \d+ of \d+ bricks)?$")
             self.assertFalse(stats["steps"]["by"][0]["certified"])
             pixels = stats["pixels"]
-            # But for what is seen at once.
-            self.assertGreater(pixels["heuristic_hit"], 0.8 * pixels["hit"])
+            # Most rays go by bricks in which there is no pole and no jump.
+            self.assertGreater(pixels["heuristic_hit"] + pixels["heuristic_miss"], 0)
+            if formula.startswith("mandelbulb"):
+                self.assertEqual(pixels["heuristic_hit"], pixels["hit"])
+                self.assertGreater(pixels["hit"], 0)
 
     def test_count_bricks(self):
         bricks = self.stats(formula="exp(x^2 + y^2 + z^2) = 2 + x")["bricks"]
