@@ -1,25 +1,26 @@
 // The numbers of one frame; laid out as render::Frame.
 layout(std140, binding = 0) uniform Frame {
-    vec4 eye;                // xyz, tan(fov / 2)
-    vec4 right, up, forward; // the camera's axes; the width of a pixel at the distance 1, 1 / Lipschitz scale,
-                             // a stride where nothing is known
-    vec4 picture;            // width, height of the full picture; x, y of this part
-    vec4 bounds_centre;      // xyz, distance at which rays end
-    vec4 bounds_half;        // xyz, height of the ground
-    vec4 march;              // steps, Lipschitz scale, epsilon, penumbra
-    vec4 sky;                // rgb, number of lights
-    vec4 ground;             // rgb, number of materials
-    vec4 background_top;     // rgb, exposure
-    vec4 background_bottom;  // rgb
-    vec4 light_direction[8];
-    vec4 light_colour[8];
-    vec4 material[16];           // rgb, strength of the highlight
-    vec4 material_shininess[16]; // exponent of the highlight
-    vec4 passes;                 // the first to run, pixels of what is kept per pixel along x and y
+    real4 eye;                // xyz, tan(fov / 2)
+    real4 right, up, forward; // the camera's axes; the width of a pixel at the distance 1, 1 / Lipschitz scale,
+                              // a stride where nothing is known
+    real4 picture;            // width, height of the full picture; x, y of this part
+    real4 bounds_centre;      // xyz, distance at which rays end
+    real4 bounds_half;        // xyz, height of the ground
+    real4 march;              // steps, Lipschitz scale, epsilon, penumbra
+    real4 sky;                // rgb, number of lights
+    real4 ground;             // rgb, number of materials
+    real4 background_top;     // rgb, exposure
+    real4 background_bottom;  // rgb
+    real4 light_direction[8];
+    real4 light_colour[8];
+    real4 material[16];           // rgb, strength of the highlight
+    real4 material_shininess[16]; // exponent of the highlight
+    real4 passes;                 // the first to run, pixels of what is kept per pixel along x and y
+    real4 origin;                 // of these coordinates, in the world; which part of the scene is looked at
 } frame;
 
 // The unit direction of the ray through a place of the full picture, in pixels from its left and top.
-real3 picture_direction(vec2 place) {
+real3 picture_direction(real2 place) {
     real x = 2.0 * place.x / frame.picture.x - 1.0;
     real y = 1.0 - 2.0 * place.y / frame.picture.y;
     real k = frame.eye.w;

@@ -11,8 +11,9 @@ real3 behind(real3 o, real3 d, real nearer) {
     real t = (frame.bounds_half.w - o.y) / d.y;
     if (!(t > 0.0) || t > frame.bounds_centre.w) return far;
     real3 p = o + t * d;
+    real2 q = p.xz + frame.origin.xz;
     real2 width = real2(pixel_footprint(t)) / max(abs(d.y), 0.05);
-    real line = max(0.45 * grid_line(p.xz, width), 0.8 * grid_line(p.xz / 5.0, width / 5.0));
-    real fade = exp(-t / (12.0 * length(frame.bounds_half.xyz)));
+    real line = max(0.45 * grid_line(q, width), 0.8 * grid_line(q / 5.0, width / 5.0));
+    real fade = exp(float(-t / (12.0 * length(frame.bounds_half.xyz))));
     return mix(far, real3(0.75), 0.5 * line * fade);
 }

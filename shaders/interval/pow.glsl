@@ -5,7 +5,7 @@
 real2 interval_positive_pow(real2 a, real2 b) {
     if (a.y > 1e6 || max(-b.x, b.y) > 64.0) return real2(0.0, zs_all().y);
     real4 p = real4(zs_pow(a.x, b.x), zs_pow(a.x, b.y), zs_pow(a.y, b.x), zs_pow(a.y, b.y));
-    real4 error = (1.0 + max(-b.x, b.y) + abs(log(clamp(p, 1e-37, 1e37)))) * 5e-7;
+    real4 error = (1.0 + max(-b.x, b.y) + abs(log(vec4(clamp(p, 1e-37, 1e37))))) * 5e-7;
     real4 low = p * (1.0 - error), high = p * (1.0 + error);
     real2 least = min(low.xy, low.zw), most = max(high.xy, high.zw);
     real2 r = interval_outward(real2(min(least.x, least.y), max(most.x, most.y)));

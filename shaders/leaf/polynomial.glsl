@@ -4,7 +4,7 @@ real zs_middle = 0.0, zs_half = 1.0, zs_half_inverse = 1.0;
 
 // What the coefficients and Horner's scheme may be off by, as a part of the sum of their sizes, which is
 // made 1; heuristic. Where f is smaller, the formula itself is asked.
-const real zs_polynomial_error = 1e-6;
+const real zs_polynomial_error = 5.0 * zs_relative_step;
 
 // The first positive root of v + w r - k r^2, for v > 0.
 real parabola_root(real v, real w, real k) {

@@ -7,7 +7,7 @@ int material_index(int object) {
 // Light from all directional lights by Blinn and Phong, and from the hemispheres above and below.
 real3 shade(int object, real3 p, real3 n, real3 d, real footprint) {
     int index = material_index(object);
-    vec4 material = frame.material[index];
+    real4 material = frame.material[index];
     material.rgb = surface_colour(object, p, material.rgb);
     real exponent = frame.material_shininess[index].x;
     real3 light = mix(frame.ground.rgb, frame.sky.rgb, 0.5 + 0.5 * n.y) * material.rgb;
@@ -20,7 +20,7 @@ real3 shade(int object, real3 p, real3 n, real3 d, real footprint) {
         real facing = dot(n, l);
         if (facing > 0.0) {
             real3 halfway = normalize(l - d);
-            real highlight = material.a * pow(max(dot(n, halfway), 0.0), exponent);
+            real highlight = material.a * pow(float(max(dot(n, halfway), 0.0)), float(exponent));
             real seen = visibility(p, n, l, footprint);
             light += frame.light_colour[i].rgb * seen * (material.rgb * facing + highlight);
         }

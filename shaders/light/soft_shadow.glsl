@@ -11,7 +11,7 @@
 // steps as long as the first distance), which takes the bands away.
 real soft_shadow(real3 o, real3 l, real t0, real t1) {
     real k = frame.march.w;
-    real least = 0.128 * frame.forward.w;
+    real least = 0.128 * frame.forward.w * frame.origin.w;
     int most = min(int(frame.march.x), 128), steps = 0;
     real t = t0, seen = 1.0;
     real before = 0.0, slope_before = 0.0, step = 0.0;
@@ -57,7 +57,7 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
 real visibility(real3 p, real3 n, real3 l, real footprint) {
     real t0, t1;
     // Off the surface by some pixels, so that it does not darken itself.
-    real3 o = p + n * max(4.0 * footprint, 6.4e-3 * frame.forward.w);
+    real3 o = p + n * max(4.0 * footprint, 6.4e-3 * frame.forward.w * frame.origin.w);
     if (!region_part(o, l, t0, t1)) return 1.0;
     return soft_shadow(o, l, t0, t1);
 }

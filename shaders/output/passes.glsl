@@ -10,7 +10,7 @@ const int zs_geometry_pass = 0, zs_light_pass = 1;
 
 void main() {
     // What is kept may be finer than what is drawn.
-    vec2 pixel = floor((floor(gl_FragCoord.xy) + 0.5) * frame.passes.yz);
+    real2 pixel = floor((floor(gl_FragCoord.xy) + 0.5) * frame.passes.yz);
     real3 o = frame.eye.xyz;
     real3 d = picture_direction(pixel + frame.picture.zw + 0.5);
     int first = int(frame.passes.x);

@@ -2,4 +2,4 @@
 const float zs_tile_side = 8.0;
 
 // The first tile that the part of the picture which is drawn has pixels of.
-vec2 first_tile() { return floor(frame.picture.zw / zs_tile_side); }
+real2 first_tile() { return floor(frame.picture.zw / zs_tile_side); }

@@ -5,7 +5,7 @@
 
 // A hit is closer than this part of `epsilon`.
 real ball_epsilon(real part, real t) {
-    return max(part * frame.march.z * pixel_footprint(t), 2.0 * zs_relative_step * max(t, 1e-3));
+    return max(part * frame.march.z * pixel_footprint(t), 2.0 * zs_relative_step * max(t, 1e-3 * frame.origin.w));
 }
 
 // How far the surface is from where `free` is left, as it has shrunk from `before` on the way there.

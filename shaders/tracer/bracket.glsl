@@ -38,7 +38,7 @@ void bracket_add(inout Bracket b, real t, Answer a) {
 
 // Both ends are known, and as close as single precision allows, or tried often enough.
 bool bracket_is_small(Bracket b) {
-    return b.asked > 1 && (b.hi - b.lo <= zs_relative_step * max(b.hi, 1e-3) || b.asked >= 50);
+    return b.asked > 1 && (b.hi - b.lo <= zs_relative_step * max(b.hi, 1e-3 * frame.origin.w) || b.asked >= 50);
 }
 
 // Tells a root from a pole or a jump, where a sheet's f changes its sign without being zero. At a pole

@@ -19,7 +19,7 @@ real2 ray_part(real t0, real t1, int level, int number) {
 
 // A quarter of what counts as near, as far as single precision allows.
 bool part_is_smallest(real2 part, int level) {
-    real least = max(0.25 * march_epsilon(part.x), 4.0 * zs_relative_step * max(part.y, 1e-3));
+    real least = max(0.25 * march_epsilon(part.x), 4.0 * zs_relative_step * max(part.y, 1e-3 * frame.origin.w));
     return part.y - part.x <= least || level == zs_most_halvings;
 }
 

@@ -44,7 +44,7 @@ Settled settle(real3 o, real3 d, int event, real lo, real hi, int undefined_befo
             } else {
                 lo = t;
             }
-            if (hi - lo <= zs_relative_step * max(hi, 1e-3)) return Settled(false, hi, a);
+            if (hi - lo <= zs_relative_step * max(hi, 1e-3 * frame.origin.w)) return Settled(false, hi, a);
             t = 0.5 * (lo + hi);
             continue;
         }

@@ -14,7 +14,7 @@ real stride(real free, real epsilon);
 bool stride_is_checked();
 
 // No distance along a ray is told apart from less than this.
-real least_step(real t) { return 2.0 * zs_relative_step * max(t, 1e-3); }
+real least_step(real t) { return 2.0 * zs_relative_step * max(t, 1e-3 * frame.origin.w); }
 
 // A hit is closer than this; no stride is shorter.
 real march_epsilon(real t) { return max(frame.march.z * pixel_footprint(t), least_step(t)); }

@@ -12,7 +12,7 @@ struct Touch {
     bool edge;            // whether only the gradient made the distance small
 };
 
-real touch_least(real t) { return zs_relative_step * max(t, 1e-3); }
+real touch_least(real t) { return zs_relative_step * max(t, 1e-3 * frame.origin.w); }
 
 Touch touch_at(real t, Answer a) {
     real step = max(max(a.free, 0.5 * a.distance), 4.0 * touch_least(t));

@@ -12,6 +12,7 @@
 #include "cli/run.h"
 #include "cli/stats.h"
 #include "compile/check_scene.h"
+#include "compile/precision.h"
 #include "compile/step_rules.h"
 #include "image/pfm.h"
 #include "image/png.h"
@@ -91,10 +92,14 @@ base::Result<std::string> stats_of(Run& run, const render::Still& still) {
     const std::vector<compile::StepRule> rules = run.rules;
     const auto counted = run.counted();
     if (!counted) return counted.problems();
+    const compile::PrecisionChoice choice =
+        compile::choose_precision(run.input.formula, run.input.document);
     return stats_json(still, *counted,
                       {.tracer = run.input.document.settings.tracer,
                        .backend = run.options.backend,
                        .renderer = run.context.renderer(),
+                       .precision = std::string(shader::name_of(choice.precision)),
+                       .precision_reason = choice.reason,
                        .parse_seconds = run.input.parse_seconds,
                        .analyse_seconds = run.analyse_seconds,
                        .rules = rules,

@@ -143,6 +143,13 @@ void add_tracing_options(CLI::App& command, RenderOptions& o) {
     command.add_option("--tracer", o.tracer, tracers)
         ->check(CLI::IsMember(names))
         ->type_name("NAME");
+    command
+        .add_option(
+            "--precision", o.precision,
+            "In which numbers the picture is calculated (auto: single, about the target, or "
+            "double, whichever is enough)")
+        ->check(CLI::IsMember({"auto", "single", "double"}))
+        ->type_name("auto|single|double");
     add(command, "--steps", "N", "Most steps of a ray", [&o](const std::string& text) {
         const int value = whole_number(text, "--steps");
         if (value < 1 || value > 100000) {
@@ -214,6 +221,7 @@ bool apply(const RenderOptions& options, Input& input) {
     }
     if (options.bounds) d.bounds = *options.bounds;
     if (options.tracer) d.settings.tracer = *options.tracer;
+    if (options.precision) d.settings.precision = *options.precision;
     if (options.steps) d.settings.steps = *options.steps;
     if (options.lipschitz) d.settings.lipschitz = *options.lipschitz;
     if (options.epsilon) d.settings.epsilon = *options.epsilon;

@@ -27,7 +27,7 @@ struct RenderOptions {
     std::optional<double> fov;
     std::optional<scene::Bounds> bounds;
     std::vector<std::pair<std::string, std::string>> parameters;  ///< name and value as typed
-    std::optional<std::string> tracer;
+    std::optional<std::string> tracer, precision;
     std::optional<int> steps;
     std::optional<double> lipschitz, shadow, epsilon;
     bool no_shadow = false;

@@ -58,6 +58,8 @@ std::string stats_json(const render::Still& still, const render::Still& counted,
     const double pixels = std::max(1.0, geometry.values.size() / 4.0);
     nlohmann::ordered_json json;
     json["tracer"] = facts.tracer;
+    json["precision"] = facts.precision;
+    json["precision_reason"] = facts.precision_reason;
     json["backend"] = facts.backend;
     json["renderer"] = facts.renderer;
     json["width"] = geometry.width;

@@ -15,6 +15,7 @@ namespace cli {
 /// What is known besides the still itself.
 struct RunFacts {
     std::string tracer, backend, renderer;
+    std::string precision, precision_reason;
     double parse_seconds = 0;
     double analyse_seconds = 0;
     std::vector<compile::StepRule> rules;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compile/brick_texels.h"
+#include "compile/precision.h"
 #include "compile/visible_region.h"
 #include "eval/tape.h"
 #include "formula/lower.h"
@@ -30,10 +31,10 @@ float inverse_lipschitz(double lipschitz) {
     return lipschitz > 0 ? rounded_down(1 / lipschitz) : 1e30F;
 }
 
-float number(const FieldValue& value, FieldBounds& bounds, double expression) {
+double number(const FieldValue& value, FieldBounds& bounds, double expression) {
     switch (value.what) {
         case FieldValue::What::expression:
-            return static_cast<float>(expression);
+            return expression;
         case FieldValue::What::inverse_lipschitz:
             return inverse_lipschitz(bounds.lipschitz(value.node, value.cells));
         case FieldValue::What::second_derivative: {
@@ -85,17 +86,25 @@ shader::Features features(const Formula& formula, const scene::Document& documen
 
 shader::ProgramSource program_source(const Formula& formula, const scene::Document& document,
                                      shader::Outputs outputs) {
-    return shader::program_source(formula.field, features(formula, document, outputs));
+    shader::Features wanted = features(formula, document, outputs);
+    wanted.precision = choose_precision(formula, document).precision;
+    return shader::program_source(formula.field, wanted);
 }
 
 shader::FieldNumbers field_numbers(const Formula& formula, const shader::ProgramSource& source,
                                    const scene::Document& document) {
-    const std::vector<double> parameters = parameter_values(formula.field, document);
+    std::vector<double> parameters = parameter_values(formula.field, document);
+    shader::FieldNumbers numbers;
+    if (source.precision == shader::Precision::recentred) {
+        const glm::dvec3 origin = recentred_origin(document);
+        numbers.origin = {origin.x, origin.y, origin.z};
+        // Its parameters are the last ones: passes/recentre.h.
+        parameters.insert(parameters.end(), numbers.origin.begin(), numbers.origin.end());
+    }
     std::vector<double> expressions(source.expressions.roots.size());
     std::vector<double> registers;
     eval::evaluate<double>(source.expressions, {}, parameters, expressions, registers);
     FieldBounds bounds(formula.field, formula.tapes, region_of(document.bounds), parameters);
-    shader::FieldNumbers numbers;
     std::size_t next = 0;
     for (const FieldValue& value : source.field_values) {
         const bool is_expression = value.what == FieldValue::What::expression;

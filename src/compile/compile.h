@@ -37,7 +37,8 @@ shader::Features features(const Formula& formula, const scene::Document& documen
                           const shader::Outputs& outputs);
 
 /// The program that draws this document's picture; depends on the formula and on what is switched
-/// on, never on a parameter's value. `outputs` says what is written per pixel.
+/// on, never on a parameter's value, but for the precision that is chosen (compile/precision.h).
+/// `outputs` says what is written per pixel.
 shader::ProgramSource program_source(const Formula& formula, const scene::Document& document,
                                      shader::Outputs outputs);
 

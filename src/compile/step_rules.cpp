@@ -72,7 +72,7 @@ private:
     }
 
     /// The first number of this kind that the program gets for the node.
-    const float* number(FieldValue::What what, FieldId id) const {
+    const double* number(FieldValue::What what, FieldId id) const {
         for (std::size_t i = 0; i < source_.field_values.size(); ++i) {
             const FieldValue& value = source_.field_values[i];
             if (value.what == what && value.node == id) return &numbers_.values[i];
@@ -88,9 +88,9 @@ private:
             return rule;
         }
         const bool by_values = tracer == "sphere" || tracer == "relaxed";
-        const float* inverse = number(FieldValue::What::inverse_lipschitz, id);
-        const float* bend = number(FieldValue::What::second_derivative, id);
-        const float* first = number(FieldValue::What::first_order, id);
+        const double* inverse = number(FieldValue::What::inverse_lipschitz, id);
+        const double* bend = number(FieldValue::What::second_derivative, id);
+        const double* first = number(FieldValue::What::first_order, id);
         if (leaf.metric == field::Metric::distance && !inverse) {
             rule.lipschitz = 1;
             return rule;
@@ -139,14 +139,14 @@ private:
 
     StepRule iteration(FieldId id) const {
         StepRule rule{.by = StepRule::By::estimate, .doubt = StepRule::Doubt::estimate};
-        const float* inverse = number(FieldValue::What::inverse_lipschitz, id);
+        const double* inverse = number(FieldValue::What::inverse_lipschitz, id);
         if (inverse && *inverse > 0) rule.lipschitz = 1.0 / *inverse;
         return rule;
     }
 
     StepRule blend(FieldId id) const {
         StepRule rule{.by = StepRule::By::lipschitz};
-        const float* inverse = number(FieldValue::What::inverse_lipschitz, id);
+        const double* inverse = number(FieldValue::What::inverse_lipschitz, id);
         if (inverse && *inverse > 0) {
             rule.lipschitz = 1.0 / *inverse;
         } else {

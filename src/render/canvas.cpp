@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -52,6 +55,30 @@ base::Status check_size(const Gl& gl, int width, int height) {
 void forget_errors(const Gl& gl) {
     // A lost context reports an error for ever, hence the bound.
     for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) continue;
+}
+
+template <class Number>
+void upload_as(const Gl& gl, GLuint buffer, std::span<const double> numbers) {
+    std::vector<Number> rounded(numbers.begin(), numbers.end());
+    // A block holds whole vec4 and at least one of them.
+    rounded.resize(std::max<std::size_t>(4, (rounded.size() + 3) / 4 * 4));
+    // New storage each time: tiles that are still being drawn keep the old.
+    gl.NamedBufferData(buffer, static_cast<GLsizeiptr>(rounded.size() * sizeof(Number)),
+                       rounded.data(), GL_STREAM_DRAW);
+}
+
+/// The numbers of a uniform block, in the precision of the program.
+void upload(const Gl& gl, GLuint buffer, std::span<const double> numbers, bool doubled) {
+    if (doubled) {
+        upload_as<double>(gl, buffer, numbers);
+    } else {
+        upload_as<float>(gl, buffer, numbers);
+    }
+}
+
+std::span<const double> numbers_of(const Frame& frame) {
+    static_assert(std::is_trivially_copyable_v<Frame> && sizeof(Frame) % sizeof(double) == 0);
+    return {&frame.eye.x, sizeof(Frame) / sizeof(double)};
 }
 
 // What may be left over from other users of the context and would change the pixels.
@@ -168,25 +195,18 @@ void Canvas::draw(const Program& program, const Frame& frame, const shader::Fiel
 void Canvas::draw_from(Pass first, const Canvas& kept, const Program& program, const Frame& asked,
                        const shader::FieldNumbers& numbers, const Tile& tile) {
     const Gl& gl = *gl_;
-    Frame frame = asked;
-    frame.passes = glm::vec4(static_cast<float>(first), static_cast<float>(kept.width_) / width_,
-                             static_cast<float>(kept.height_) / height_, 0);
-    // New storage each time: tiles that are still being drawn keep the old.
-    gl.NamedBufferData(frame_buffer_object_, sizeof frame, &frame, GL_STREAM_DRAW);
-    // The block holds whole vec4 and at least one of them.
-    std::vector<float> values = numbers.values;
-    values.resize(std::max<std::size_t>(4, (values.size() + 3) / 4 * 4));
-    gl.NamedBufferData(values_buffer_object_,
-                       static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data(),
-                       GL_STREAM_DRAW);
+    Frame own = about(asked, numbers.origin);
+    own.passes = {static_cast<double>(first), static_cast<double>(kept.width_) / width_,
+                  static_cast<double>(kept.height_) / height_, 0};
+    upload(gl, frame_buffer_object_, numbers_of(own), program.doubled());
+    upload(gl, values_buffer_object_, numbers.values, program.doubled());
     gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer_object_);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, values_binding, values_buffer_object_);
     bricks_->bind(numbers.bricks);
 
     set_state(gl);
     gl.BindVertexArray(vertex_array_);
-    if (program.prepass_name() != 0 && first == Pass::geometry)
-        draw_tile_parts(program, frame, tile);
+    if (program.prepass_name() != 0 && first == Pass::geometry) draw_tile_parts(program, own, tile);
     const GLuint textures[] = {kept.geometry_, kept.normal_, kept.light_};
     for (GLuint i = 0; i < std::size(textures); ++i) gl.BindTextureUnit(kept_unit + i, textures[i]);
     // A pixel may read its own texels of the target before it writes them, but not what is still

@@ -18,7 +18,7 @@ Frame without_what_the_image_reads(Frame frame) {
 }
 
 Frame without_what_light_reads(Frame frame) {
-    frame.sky = frame.ground = frame.background_top = frame.background_bottom = glm::vec4(0);
+    frame.sky = frame.ground = frame.background_top = frame.background_bottom = glm::dvec4(0);
     frame.light_direction = frame.light_colour = {};
     frame.material = frame.material_shininess = {};
     frame.march.w = 0;  // the shadows' softness

@@ -84,6 +84,7 @@ base::Result<Program> Program::link(const Gl& gl, const shader::ProgramSource& s
         done = render::link(gl, program.prepass_name_, vertex, "pre-pass", source.prepass);
     }
     if (!done) return done.problems();
+    program.doubled_ = source.precision == shader::Precision::doubled;
     return program;
 }
 
@@ -91,6 +92,7 @@ Program& Program::operator=(Program&& other) noexcept {
     std::swap(gl_, other.gl_);
     std::swap(name_, other.name_);
     std::swap(prepass_name_, other.prepass_name_);
+    std::swap(doubled_, other.doubled_);
     return *this;
 }
 

@@ -21,19 +21,23 @@ public:
     Program(Program&& other) noexcept
         : gl_(other.gl_),
           name_(std::exchange(other.name_, 0)),
-          prepass_name_(std::exchange(other.prepass_name_, 0)) {}
+          prepass_name_(std::exchange(other.prepass_name_, 0)),
+          doubled_(other.doubled_) {}
     Program& operator=(Program&& other) noexcept;
     ~Program();
 
     GLuint name() const { return name_; }
     /// 0: there is no pre-pass.
     GLuint prepass_name() const { return prepass_name_; }
+    /// Whether its uniform blocks are in double precision.
+    bool doubled() const { return doubled_; }
 
 private:
     explicit Program(const Gl& gl) : gl_(&gl) {}
 
     const Gl* gl_;
     GLuint name_ = 0, prepass_name_ = 0;
+    bool doubled_ = false;
 };
 
 }  // namespace render

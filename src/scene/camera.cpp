@@ -16,7 +16,7 @@ using glm::dvec3;
 constexpr double margin = 0.04;
 /// How close to straight above or below `orbit` goes, in radians.
 constexpr double pole_distance = 0.01;
-constexpr double least_distance = 1e-6;
+constexpr double least_distance = 1e-11;
 constexpr double greatest_distance = 1e6;
 
 bool is_finite(const dvec3& v) {
@@ -124,7 +124,7 @@ Camera dolly(const Camera& camera, double factor) {
     const dvec3 from_target = arm(camera);
     const double distance = glm::length(from_target);
     // Far from the origin the least distance must still be one that the eye's coordinates can show.
-    const double least = std::max(least_distance, 1e-9 * glm::length(camera.target));
+    const double least = std::max(least_distance, 1e-11 * glm::length(camera.target));
     const double wanted = std::clamp(distance * factor, least, std::max(least, greatest_distance));
     Camera result = camera;
     result.eye = camera.target + from_target * (wanted / distance);

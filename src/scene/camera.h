@@ -58,8 +58,9 @@ Camera orbit(const Camera& camera, double yaw, double pitch);
 /// Moves eye and target together, in fractions of the picture's height at the target. What is not
 /// finite moves nothing.
 Camera pan(const Camera& camera, double right, double up);
-/// Multiplies the distance from the target and keeps it between 1e-6 and 1e6; any other factor than
-/// a finite one above 0 changes nothing.
+/// Multiplies the distance from the target and keeps it between 1e-11 (times the target's way from
+/// the origin where that is more than 1) and 1e6; any other factor than a finite one above 0
+/// changes nothing.
 Camera dolly(const Camera& camera, double factor);
 
 }  // namespace scene

@@ -50,10 +50,11 @@ struct Environment {
 /// How the picture is made. The names are those of the preset and of the command line.
 struct Settings {
     std::string tracer = "auto";
-    int steps = 1024;      ///< at most so many per ray
-    double lipschitz = 1;  ///< every step is divided by it: above 1 slower and safer
-    double epsilon = 0.1;  ///< a hit is closer than this part of a pixel's footprint
-    double shadow = 12;    ///< shadow factor k: small is soft, large is hard
+    std::string precision = "auto";  ///< or "single", "double"
+    int steps = 1024;                ///< at most so many per ray
+    double lipschitz = 1;            ///< every step is divided by it: above 1 slower and safer
+    double epsilon = 0.1;            ///< a hit is closer than this part of a pixel's footprint
+    double shadow = 12;              ///< shadow factor k: small is soft, large is hard
     bool shadows = true;
     bool ambient_occlusion = true;
     bool grid = false;              ///< the ground grid

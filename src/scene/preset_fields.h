@@ -62,6 +62,7 @@ inline constexpr std::array environment_fields{
 
 inline constexpr std::array settings_fields{
     Field<Settings>{"tracer", &Settings::tracer},
+    Field<Settings>{"precision", &Settings::precision},
     Field<Settings>{"steps", &Settings::steps, {1, 100000}},
     Field<Settings>{"lipschitz", &Settings::lipschitz, {0.001, 1000}},
     Field<Settings>{"epsilon", &Settings::epsilon, {1e-6, 100}},

@@ -41,7 +41,7 @@ void read_camera(const Json& json, const Place& place, Reading& reading, Documen
     Camera camera;
     if (!read_object(json, camera_fields, place, reading, camera)) return;
     const double size = 1 + glm::length(camera.eye) + glm::length(camera.target);
-    if (glm::length(camera.eye - camera.target) < 1e-9 * size) {
+    if (glm::length(camera.eye - camera.target) < 1e-13 * size) {
         reading.fail(*json.find("eye"),
                      "'camera.eye' and 'camera.target' must be two points apart");
     } else if (glm::length(camera.up) < 1e-9) {

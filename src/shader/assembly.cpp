@@ -16,11 +16,20 @@ std::string_view without_comment(std::string_view line) {
     return line;
 }
 
+/// The part for double precision, if it has one of its own.
+std::string in_double(std::string_view path) {
+    const std::size_t name = path.rfind('/') + 1;
+    std::string own = std::string(path.substr(0, name)) + "double/";
+    own += path.substr(name);
+    return parts().contains(own) ? own : std::string(path);
+}
+
 }  // namespace
 
 void Assembly::add_part(std::string_view path) {
     if (!added_.emplace(path).second) return;
-    const auto found = parts().find(path);
+    const auto found =
+        parts().find(precision_ == Precision::doubled ? in_double(path) : std::string(path));
     assert(found != parts().end());
     std::string_view rest = found->second;
     std::string code;

@@ -14,10 +14,13 @@ namespace shader {
 using graph::NodeId;
 using graph::Op;
 
-std::string literal(double value) {
-    constexpr double largest = std::numeric_limits<float>::max();
+std::string literal(double value, Precision precision) {
+    const bool doubled = precision == Precision::doubled;
+    const double largest =
+        doubled ? std::numeric_limits<double>::max() : std::numeric_limits<float>::max();
     std::string text = graph::shortest(std::clamp(value, -largest, largest));
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    if (doubled) text += "lf";
     return text.starts_with('-') ? '(' + text + ')' : text;
 }
 
@@ -36,7 +39,7 @@ std::string FieldValues::expression(NodeId node) {
 
 std::string ExpressionWriter::spelling(NodeId id) {
     const graph::Node& node = graph_[id];
-    if (node.op == Op::constant) return literal(node.value);
+    if (node.op == Op::constant) return literal(node.value, values_.precision());
     if (node.op == Op::variable) return names_.at(static_cast<graph::VariableId>(node.symbol));
     if (!depends_[index(id)]) return values_.expression(id);
     return written_.at(id);

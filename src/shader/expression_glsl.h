@@ -10,17 +10,21 @@
 #include <vector>
 
 #include "graph/graph.h"
+#include "shader/precision.h"
 #include "shader/program_source.h"
 
 namespace shader {
 
 /// A GLSL literal of type real: the shortest decimal that reads back the same. Finite values beyond
-/// single precision become its largest.
-std::string literal(double value);
+/// single precision become its largest there.
+std::string literal(double value, Precision precision = Precision::single);
 
 /// Gives each number that the CPU computes a place in the uniform block, and writes that place.
 class FieldValues {
 public:
+    explicit FieldValues(Precision precision = Precision::single) : precision_(precision) {}
+
+    Precision precision() const { return precision_; }
     std::string expression(graph::NodeId node);
     std::string bound(const FieldValue& value) { return place(value); }
     const std::vector<FieldValue>& list() const { return list_; }
@@ -30,6 +34,7 @@ public:
 private:
     std::string place(const FieldValue& value);
 
+    Precision precision_;
     std::vector<FieldValue> list_;
     std::vector<graph::NodeId> expressions_;
     std::map<graph::NodeId, std::string> places_;

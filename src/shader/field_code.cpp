@@ -18,8 +18,8 @@ namespace shader {
 
 using field::FieldId;
 
-FieldCode::FieldCode(field::Field of, const Demands& demanded)
-    : field(std::move(of)), demands(demanded), plan(field_plan(field)) {
+FieldCode::FieldCode(field::Field of, const Demands& demanded, Precision precision)
+    : field(std::move(of)), demands(demanded), plan(field_plan(field)), values(precision) {
     spell_out_orbits();
     differentiate();
     if (demands.hessians) differentiate_twice();

@@ -40,7 +40,7 @@ struct FieldCode {
     FieldValues values;
     FieldGlsl out;
 
-    FieldCode(field::Field of, const Demands& demands);
+    FieldCode(field::Field of, const Demands& demands, Precision precision);
 
     const field::Formula* formula(std::size_t object) const {
         return std::get_if<field::Formula>(&field[plan.objects[object].id]);

@@ -41,8 +41,8 @@ std::string facts(const FieldCode& code) {
 }  // namespace
 
 FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands,
-                     std::vector<field::FieldId> bricks) {
-    FieldCode code(std::move(field), demands);
+                     std::vector<field::FieldId> bricks, Precision precision) {
+    FieldCode code(std::move(field), demands, precision);
     if (demands.bricks) code.out.bricks = std::move(bricks);
     if (!code.out.bricks.empty()) code.needs("brick/brick.glsl");
     write_leaves(code);

@@ -56,6 +56,7 @@ struct FieldGlsl {
 /// The field's graph gets the derivatives' nodes, hence the copy.
 /// `bricks` are the formulas that are known brick by brick.
 FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands = {},
-                     std::vector<field::FieldId> bricks = {});
+                     std::vector<field::FieldId> bricks = {},
+                     Precision precision = Precision::single);
 
 }  // namespace shader

@@ -2,6 +2,7 @@
 // What a program is fed with beside the frame: the numbers of its field.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -21,14 +22,17 @@ struct BrickTexels {
 /// The numbers of one frame that come from the formula and its parameters; made by compile/ for a
 /// ProgramSource, handed over by render/.
 struct FieldNumbers {
-    std::vector<float> values;                  ///< in the order of ProgramSource::field_values
+    /// In the order of ProgramSource::field_values; rounded to what the program calculates with.
+    std::vector<double> values;
     std::shared_ptr<const BrickTexels> bricks;  ///< none if the program uses none
     double brick_seconds = 0;                   ///< what finding them took; not compared
+    /// The origin of the program's coordinates in the world.
+    std::array<double, 3> origin{};
 
     friend bool operator==(const FieldNumbers& a, const FieldNumbers& b) {
         const bool same_bricks =
             a.bricks == b.bricks || (a.bricks && b.bricks && *a.bricks == *b.bricks);
-        return a.values == b.values && same_bricks;
+        return a.values == b.values && a.origin == b.origin && same_bricks;
     }
 };
 

@@ -25,8 +25,11 @@ std::string end_literal(float end) {
     return literal(end);
 }
 
-/// The neighbours of a number in single precision, or it alone if that has it.
-std::string literal_interval(double value) {
+/// The neighbours of a number in single precision, or it alone if the program's precision has it.
+std::string literal_interval(double value, Precision precision) {
+    if (precision == Precision::doubled) {
+        return fmt::format("real2({})", literal(value, precision));
+    }
     if (is_single(value)) return fmt::format("real2({})", literal(value));
     constexpr double largest = std::numeric_limits<float>::max();
     constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -39,7 +42,7 @@ std::string literal_interval(double value) {
 
 std::string IntervalWriter::spelling(NodeId id) {
     const graph::Node& node = graph_[id];
-    if (node.op == Op::constant) return literal_interval(node.value);
+    if (node.op == Op::constant) return literal_interval(node.value, values_.precision());
     if (node.op == Op::variable) return names_.at(static_cast<graph::VariableId>(node.symbol));
     if (!depends_[index(id)]) return fmt::format("interval_about({})", values_.expression(id));
     return written_.at(id);

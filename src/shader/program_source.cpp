@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "passes/recentre.h"
 #include "shader/assembly.h"
 #include "shader/field_glsl.h"
 
@@ -73,10 +74,12 @@ bool goes_by_balls(const FieldGlsl& generated, const Tracer& tracer) {
     return generated.answers_balls && tracer.stride_part == "tracer/as_answered.glsl";
 }
 
-/// Polynomials along a ray need one of finite length, and more than one step on it.
+/// Polynomials along a ray need one of finite length, and more than one step on it; rounded in
+/// single precision they tell nothing of what is as small as coordinates are recentred for.
 Demands demands(const Tracer& tracer, const Features& features) {
     Demands result = tracer.demands;
-    if (features.told_depth || !(features.bounds_sphere || features.bounds_box)) {
+    const bool bounded = features.bounds_sphere || features.bounds_box;
+    if (features.told_depth || !bounded || features.precision == Precision::recentred) {
         result.polynomials = false;
     }
     return result;
@@ -113,7 +116,9 @@ std::string outputs_code(const Features& features, bool prepass) {
     };
     if (outputs.picture) output(0, "picture", "vec4(display(light), 1.0)");
     if (outputs.geometry) {
-        body += "    float depth = hit.status == zs_miss ? uintBitsToFloat(0x7f800000u) : hit.t;\n";
+        body +=
+            "    float depth = hit.status == zs_miss ? uintBitsToFloat(0x7f800000u) : "
+            "float(hit.t);\n";
         output(1, "geometry",
                "vec4(depth, float(hit.steps), float(hit.status), float(hit.object))");
     }
@@ -174,9 +179,10 @@ void add_field(Assembly& assembly, const FieldGlsl& generated, const Tracer& tra
     assembly.add_part("common/real.glsl");
     assembly.add_part("common/frame.glsl");
     if (!generated.values.empty()) {
-        assembly.add_code(
-            fmt::format("layout(std140, binding = 1) uniform Field {{ vec4 field_values[{}]; }};\n",
-                        (generated.values.size() + 3) / 4));
+        assembly.add_code(fmt::format(
+            "layout(std140, binding = 1) uniform Field {{ {}vec4 field_values[{}]; }};\n",
+            features.precision == Precision::doubled ? "d" : "",
+            (generated.values.size() + 3) / 4));
     }
     assembly.add_code(generated.facts);
     assembly.add_part("common/answer.glsl");
@@ -212,12 +218,15 @@ void add_tracer(Assembly& assembly, const FieldGlsl& generated, const Tracer& tr
 
 std::string prepass_text(const FieldGlsl& generated, const Tracer& tracer,
                          const Features& features) {
-    Assembly assembly;
+    Assembly assembly(features.precision);
     add_field(assembly, generated, tracer, features);
     assembly.add_part(prepass_part(generated, tracer, features));
+    // What is kept is in single precision, and must leave out no more than was found.
+    const bool rounds = features.precision == Precision::doubled;
     assembly.add_code(
         fmt::format("layout(location = 0) out vec4 tile_out;\n"
-                    "void write_tile(real2 part) {{ tile_out = vec4(part, {}, 0.0); }}\n",
+                    "void write_tile(real2 part) {{ tile_out = vec4(part{}, {}, 0.0); }}\n",
+                    rounds ? " * real2(1.0 - 2e-7, 1.0 + 2e-7)" : "",
                     features.outputs.count ? "float(zs_evaluations)" : "0.0"));
     if (generated.needs_differences) assembly.add_part("normal/differences.glsl");
     assembly.add_part("prepass/main.glsl");
@@ -234,10 +243,13 @@ std::vector<TracerName> tracers() {
 
 ProgramSource program_source(const field::Field& field, const Features& features) {
     const Tracer& tracer = tracer_of(features.tracer);
+    field::Field own = field;
+    if (features.precision == Precision::recentred) passes::recentre(own);
     FieldGlsl generated =
-        field_glsl(field, features.outputs.count, demands(tracer, features), features.bricks);
+        field_glsl(std::move(own), features.outputs.count, demands(tracer, features),
+                   features.bricks, features.precision);
     const bool prepass = !prepass_part(generated, tracer, features).empty();
-    Assembly assembly;
+    Assembly assembly(features.precision);
     add_field(assembly, generated, tracer, features);
     assembly.add_part(prepass ? "prepass/part.glsl" : "prepass/none.glsl");
     add_certificate(assembly, field, generated, features, prepass);
@@ -258,7 +270,8 @@ ProgramSource program_source(const field::Field& field, const Features& features
             std::move(before),
             std::move(generated.bricks),
             skips_bricks(features),
-            std::move(generated.polynomials)};
+            std::move(generated.polynomials),
+            features.precision};
 }
 
 }  // namespace shader

@@ -11,6 +11,7 @@
 
 #include "eval/tape.h"
 #include "field/field.h"
+#include "shader/precision.h"
 
 namespace shader {
 
@@ -60,6 +61,7 @@ inline double evaluations_in(float told) { return std::floor(told / 8); }
 /// What is switched on, as far as it changes the program.
 struct Features {
     std::string tracer = "auto";
+    Precision precision = Precision::single;
     bool bounds_sphere = true;  ///< otherwise bounds_box, or none
     bool bounds_box = false;
     bool shadows = true;
@@ -113,6 +115,8 @@ struct ProgramSource {
     bool scene_bricks = false;
     /// Objects (leaves from left to right) that are walked as polynomials along the ray.
     std::set<std::size_t> polynomials{};
+    /// Says in which numbers the uniform blocks are, and about which origin.
+    Precision precision = Precision::single;
 
     /// Whether both are the same program; its numbers are the same then too.
     bool same_text(const ProgramSource& other) const {

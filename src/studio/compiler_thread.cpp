@@ -30,6 +30,7 @@ void merge(std::optional<BuiltScene>& old, BuiltScene scene) {
         scene.field_numbers = std::move(old->field_numbers);
         scene.bounds = old->bounds;
         scene.steps = std::move(old->steps);
+        scene.precision = old->precision;
     }
     old = std::move(scene);
 }

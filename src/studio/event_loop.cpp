@@ -10,6 +10,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "compile/precision.h"
 #include "oracle/trace.h"
 #include "studio/actions.h"
 #include "studio/document_file.h"
@@ -28,7 +29,7 @@ constexpr int frames_after_event = 3;
 /// What the compiler reads of a document.
 bool compiles_alike(const scene::Document& a, const scene::Document& b) {
     return a.formula == b.formula && a.parameters == b.parameters && a.time == b.time &&
-           a.bounds == b.bounds && a.settings == b.settings;
+           a.bounds == b.bounds && a.settings == b.settings && compile::look_alike(a, b);
 }
 
 /// The window behind a dialog is being darkened or lit up again.
@@ -99,6 +100,7 @@ void EventLoop::take_answers() {
             compilation.field_numbers = std::move(*scene->field_numbers);
             compilation.bounds = scene->bounds;
             compilation.steps = std::move(scene->steps);
+            compilation.precision = scene->precision;
             compilation.drawable = true;
         }
         if (scene->program)

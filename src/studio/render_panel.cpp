@@ -25,6 +25,19 @@ void show_tracer(scene::Settings& settings) {
     tooltip_of_last("How a ray finds the surface. 'auto' chooses for the formula at hand.");
 }
 
+void show_numbers(scene::Settings& settings) {
+    label_on_the_left("Numbers");
+    if (ImGui::BeginCombo("##precision", settings.precision.c_str())) {
+        for (const char* name : {"auto", "single", "double"}) {
+            if (ImGui::Selectable(name, name == settings.precision)) settings.precision = name;
+        }
+        ImGui::EndCombo();
+    }
+    tooltip_of_last(
+        "In which precision the picture is calculated. 'auto' takes double where single is not "
+        "sharp; the status bar says which.");
+}
+
 void show_precision(scene::Settings& settings) {
     const scene::Settings initial;
     slider("Lipschitz scale", settings.lipschitz,
@@ -99,6 +112,7 @@ void show_bounds(scene::Bounds& bounds) {
 void show_render_panel(Workspace& workspace) {
     scene::Document& document = workspace.document;
     show_tracer(document.settings);
+    show_numbers(document.settings);
     show_precision(document.settings);
     if (ImGui::CollapsingHeader("Effects", ImGuiTreeNodeFlags_DefaultOpen)) {
         show_effects(document.settings);

@@ -56,6 +56,8 @@ std::optional<BuiltScene> SceneBuilder::build_throwing(const scene::Document& do
         built.bounds = document.bounds;
         built.steps = compile::summary(compile::step_rules(drawn_->formula.field, drawn_->source,
                                                            *built.field_numbers, document));
+        built.precision = compile::choose_precision(drawn_->formula, document);
+        built.precision.precision = drawn_->source.precision;
     }
     return built;
 }

@@ -11,6 +11,7 @@
 
 #include "base/result.h"
 #include "compile/compile.h"
+#include "compile/precision.h"
 #include "render/program.h"
 #include "scene/document.h"
 
@@ -31,6 +32,7 @@ struct BuiltScene {
     std::optional<shader::FieldNumbers> field_numbers;
     scene::Bounds bounds;
     std::string steps;  ///< how they are found, and how sure that is: compile::summary
+    compile::PrecisionChoice precision;
 };
 
 /// How much work building was, since the beginning.

@@ -15,6 +15,13 @@ void separator() {
     ImGui::SameLine(0, 12);
 }
 
+void show_precision(const compile::PrecisionChoice& choice) {
+    ImGui::TextUnformatted(std::string(shader::name_of(choice.precision)).c_str());
+    tooltip_of_last(
+        fmt::format("The numbers that the picture is calculated in: {}.", choice.reason));
+    separator();
+}
+
 void show_report(const PictureReport& report) {
     const PictureStatistics& statistics = report.statistics;
     ImGui::TextUnformatted(fmt::format("{:.1f} ms", report.seconds * 1000).c_str());
@@ -67,6 +74,7 @@ void show_status_bar(const Workspace& workspace) {
     ImGui::TextUnformatted(state);
     ImGui::SameLine(150 * workspace.scale);
     if (workspace.report) {
+        show_precision(workspace.compilation.precision);
         show_report(*workspace.report);
         show_steps(workspace);
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "compile/precision.h"
 #include "field/field.h"
 #include "scene/document.h"
 #include "shader/field_numbers.h"
@@ -38,9 +39,10 @@ struct Compilation {
     base::Diagnostics failures;
     std::vector<field::Parameter> parameters;  ///< of the last formula that was understood
     shader::FieldNumbers field_numbers;
-    scene::Bounds bounds;   ///< what the values hold for
-    std::string steps;      ///< how the steps of its rays are found: compile::summary
-    bool drawable = false;  ///< there is a program
+    scene::Bounds bounds;                ///< what the values hold for
+    std::string steps;                   ///< how the steps of its rays are found: compile::summary
+    compile::PrecisionChoice precision;  ///< of the newest program
+    bool drawable = false;               ///< there is a program
     bool busy = false;
 };
 

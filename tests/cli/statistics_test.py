@@ -27,6 +27,16 @@ class Statistics(Folder):
         self.assertEqual((stats["tracer"], stats["backend"]), ("auto", "osmesa"))
         self.assertIn("llvmpipe", stats["renderer"])
 
+    def test_say_which_precision_and_why(self):
+        stats = self.stats()
+        self.assertEqual(stats["precision"], "single")
+        self.assertIn("of a pixel", stats["precision_reason"])
+        self.assertEqual(self.stats("--precision", "double")["precision"], "double")
+        near = self.stats("--target", "0,0,1", "--eye", "0,0.00001,1.00003")
+        self.assertEqual(near["precision"], "recentred")
+        single = self.stats("--target", "0,0,1", "--eye", "0,0.00001,1.00003", "--precision", "single")
+        self.assertEqual((single["precision"], single["precision_reason"]), ("single", "as chosen"))
+
     def test_add_up(self):
         pixels = self.stats()["pixels"]
         self.assertEqual(pixels["hit"] + pixels["miss"] + pixels["unresolved"], 40 * 30)

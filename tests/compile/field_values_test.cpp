@@ -30,7 +30,7 @@ struct Frame {
         return features;
     }
 
-    std::vector<float> values() const { return field_numbers(formula, source, document).values; }
+    std::vector<double> values() const { return field_numbers(formula, source, document).values; }
     /// The value of this kind of the first leaf that has one.
     float value(FieldValue::What what) const {
         const auto found = std::ranges::find(source.field_values, what, &FieldValue::what);
@@ -62,8 +62,8 @@ TEST(FieldValues, hold_expressions_of_parameters_computed_in_double) {
     Frame frame("param a = 3 in [0, 9]\nx*(sin(a) + a^2) + y = t");
     // The first expression in the program's order that is no parameter itself.
     const auto contains = [&](double expected) {
-        const std::vector<float> values = frame.values();
-        return std::ranges::count(values, static_cast<float>(expected)) > 0;
+        const std::vector<double> values = frame.values();
+        return std::ranges::count(values, expected) > 0;
     };
     EXPECT_TRUE(contains(std::sin(3.0) + 9));
     frame.document.parameters["a"] = 2.0;

@@ -32,13 +32,14 @@ void report(const base::Result<T>& failed) {
 }  // namespace
 
 std::optional<std::string> expression_program(const graph::Graph& graph,
-                                              std::span<const graph::NodeId> roots) {
+                                              std::span<const graph::NodeId> roots,
+                                              shader::Precision precision) {
     std::map<graph::VariableId, std::string> names;
     for (std::size_t i = 0; i < std::min<std::size_t>(4, graph.variable_count()); ++i) {
         names[static_cast<graph::VariableId>(i)] = fmt::format("a.{}", "xyzw"[i]);
     }
     const std::vector<bool> depends = depends_on_variables(graph);
-    shader::FieldValues values;
+    shader::FieldValues values(precision);
     shader::ExpressionWriter writer(graph, depends, values, names);
     const std::string statements = writer.statements(roots, "    ");
     std::array<std::string, 4> results{"0.0", "0.0", "0.0", "0.0"};
@@ -46,7 +47,8 @@ std::optional<std::string> expression_program(const graph::Graph& graph,
                            [&](graph::NodeId root) { return writer.spelling(root); });
     if (!values.list().empty()) return std::nullopt;
 
-    shader::Assembly assembly;
+    const bool doubled = precision == shader::Precision::doubled;
+    shader::Assembly assembly(precision);
     assembly.add_code("#version 450 core\n");
     assembly.add_part("common/real.glsl");
     assembly.add_code(
@@ -57,14 +59,19 @@ std::optional<std::string> expression_program(const graph::Graph& graph,
     assembly.add_code(
         fmt::format("void main() {{\n"
                     "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
-                    "    vec4 a = field_values[pixel.y * {} + pixel.x];\n"
-                    "{}    geometry_out = vec4({});\n"
-                    "}}\n",
-                    side, statements, fmt::join(results, ", ")));
+                    "    real4 a = field_values[pixel.y * {} + pixel.x];\n{}",
+                    side, statements));
+    assembly.add_code(
+        doubled ? fmt::format(
+                      "    real first = real(float({0}));\n"
+                      "    real second = real(float({0} - first));\n"
+                      "    geometry_out = vec4(first, second, {0} - first - second, 0.0);\n}}\n",
+                      results[0])
+                : fmt::format("    geometry_out = vec4({});\n}}\n", fmt::join(results, ", ")));
     return assembly.text();
 }
 
-std::string operator_program(graph::Op op) {
+std::string operator_program(graph::Op op, shader::Precision precision) {
     graph::Graph graph;
     const std::array<graph::VariableId, graph::max_arity> variables{
         graph::variable_x, graph::variable_y, graph::variable_z, graph.new_variable("w")};
@@ -72,7 +79,7 @@ std::string operator_program(graph::Op op) {
     for (int i = 0; i < graph::facts(op).arity; ++i) {
         arguments.push_back(graph.variable(variables[static_cast<std::size_t>(i)]));
     }
-    return *expression_program(graph, std::array{graph.apply(op, arguments)});
+    return *expression_program(graph, std::array{graph.apply(op, arguments)}, precision);
 }
 
 std::vector<std::array<float, 4>> glsl_values(const render::Context& context,
@@ -87,14 +94,16 @@ std::vector<std::array<float, 4>> glsl_values(const render::Context& context,
     if (!program || !canvas) return {};
 
     std::vector<std::array<float, 4>> results;
-    std::vector<float> values(places_per_draw * graph::max_arity);
+    std::vector<double> values(places_per_draw * graph::max_arity);
     while (!places.empty()) {
         const auto some = places.first(std::min(places.size(), places_per_draw));
         places = places.subspan(some.size());
         for (std::size_t i = 0; i < some.size(); ++i) {
             std::ranges::copy(some[i], values.begin() + static_cast<std::ptrdiff_t>(4 * i));
         }
-        canvas->draw(*program, {}, {values, nullptr}, {0, 0, side, side});
+        shader::FieldNumbers numbers;
+        numbers.values = values;
+        canvas->draw(*program, {}, numbers, {0, 0, side, side});
         const auto drawn = canvas->read_geometry();
         for (std::size_t i = 0; i < some.size(); ++i) {
             const int k = static_cast<int>(i);

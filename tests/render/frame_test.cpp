@@ -9,7 +9,7 @@
 
 namespace {
 
-void expect_near(const glm::vec4& actual, const glm::dvec3& xyz, double w) {
+void expect_near(const glm::dvec4& actual, const glm::dvec3& xyz, double w) {
     EXPECT_NEAR(actual.x, xyz.x, 1e-6);
     EXPECT_NEAR(actual.y, xyz.y, 1e-6);
     EXPECT_NEAR(actual.z, xyz.z, 1e-6);
@@ -33,12 +33,34 @@ TEST(Frame, holds_the_cameras_axes) {
     expect_near(frame.right, axes.u, 2 * std::tan(std::acos(-1.0) / 6) / 480);
     expect_near(frame.up, axes.v, 1);
     expect_near(frame.forward, axes.w, std::sqrt(12.0) / 64);
+    // About the middle of the world, of which all is seen.
+    expect_near(frame.origin, {0, 0, 0}, 1);
     EXPECT_NEAR(glm::length(glm::vec3(frame.forward)), 1, 1e-6);
 }
 
 TEST(Frame, holds_the_picture_and_the_place_of_the_region) {
     const render::Frame frame = render::frame({}, {}, {1000, 700, 30, 40, 50, 60});
-    EXPECT_EQ(frame.picture, glm::vec4(1000, 700, 30, 40));
+    EXPECT_EQ(frame.picture, glm::dvec4(1000, 700, 30, 40));
+}
+
+TEST(Frame, knows_which_part_of_the_scene_is_looked_at_closely) {
+    scene::Camera camera;
+    camera.target = {1, 0, 0};
+    camera.eye = {1, 0, 1e-3};
+    EXPECT_NEAR(frame_of({}, camera).origin.w, 1e-3 / std::sqrt(12.0), 1e-12);
+}
+
+TEST(Frame, moves_to_another_origin_in_double_precision) {
+    scene::Document document;
+    document.bounds = {scene::Bounds::Shape::sphere, {1e4, 2, 0}, glm::dvec3(1)};
+    scene::Camera camera;
+    camera.eye = {1e4, 2, 1e-6};
+    camera.target = {1e4, 2, 0};
+    const render::Frame frame = about(frame_of(document, camera), {1e4, 2, 0});
+    EXPECT_EQ(glm::dvec3(frame.eye), glm::dvec3(0, 0, 1e-6));
+    EXPECT_EQ(glm::dvec3(frame.bounds_centre), glm::dvec3(0));
+    EXPECT_EQ(frame.bounds_half.w, -1);  // the ground
+    EXPECT_EQ(glm::dvec3(frame.origin), glm::dvec3(1e4, 2, 0));
 }
 
 TEST(Frame, whole_is_the_full_picture) {
@@ -60,7 +82,7 @@ TEST(Frame, rays_end_behind_the_farthest_point_of_a_sphere) {
     EXPECT_GT(frame.bounds_centre.w, 13);
     EXPECT_LT(frame.bounds_centre.w, 13.01);
     EXPECT_EQ(glm::vec3(frame.bounds_centre), glm::vec3(1, 0, 0));
-    EXPECT_EQ(frame.bounds_half, glm::vec4(3, 3, 3, -3));
+    EXPECT_EQ(frame.bounds_half, glm::dvec4(3, 3, 3, -3));
 }
 
 TEST(Frame, rays_end_behind_the_farthest_corner_of_a_box) {
@@ -71,7 +93,7 @@ TEST(Frame, rays_end_behind_the_farthest_corner_of_a_box) {
     const double farthest = glm::distance(camera.eye, glm::dvec3(1, 7, 2));
     const render::Frame frame = frame_of(document, camera);
     EXPECT_GT(frame.bounds_centre.w, farthest);
-    EXPECT_EQ(frame.bounds_half, glm::vec4(1, 2, 2, 3));
+    EXPECT_EQ(frame.bounds_half, glm::dvec4(1, 2, 2, 3));
 }
 
 TEST(Frame, without_bounds_rays_end_at_the_far_distance) {
@@ -137,12 +159,12 @@ TEST(Frame, holds_the_settings_and_the_environment) {
     document.environment.background_top = {7, 8, 9};
     document.environment.background_bottom = {10, 11, 12};
     const render::Frame frame = frame_of(document);
-    EXPECT_FLOAT_EQ(frame_of(document).up.w, 1 / 1.5f);
-    EXPECT_EQ(frame.march, glm::vec4(77, 1.5, 0.25, 9));
-    EXPECT_EQ(frame.sky, glm::vec4(1, 2, 3, 1));
-    EXPECT_EQ(frame.ground, glm::vec4(4, 5, 6, 1));
-    EXPECT_EQ(frame.background_top, glm::vec4(7, 8, 9, 1.25));
-    EXPECT_EQ(frame.background_bottom, glm::vec4(10, 11, 12, 0));
+    EXPECT_DOUBLE_EQ(frame_of(document).up.w, 1 / 1.5);
+    EXPECT_EQ(frame.march, glm::dvec4(77, 1.5, 0.25, 9));
+    EXPECT_EQ(frame.sky, glm::dvec4(1, 2, 3, 1));
+    EXPECT_EQ(frame.ground, glm::dvec4(4, 5, 6, 1));
+    EXPECT_EQ(frame.background_top, glm::dvec4(7, 8, 9, 1.25));
+    EXPECT_EQ(frame.background_bottom, glm::dvec4(10, 11, 12, 0));
 }
 
 }  // namespace

@@ -31,7 +31,8 @@ class PrepassTest : public render_test::WithContext {
 protected:
     /// Draws a view, and expects in each pixel the number of its tile.
     void expect_tiles(const View& view) {
-        const shader::FieldNumbers numbers{{0.625F}, nullptr};
+        shader::FieldNumbers numbers;
+        numbers.values = {0.625};
         shader::ProgramSource source = numbered_tiles();
         source.field_values.resize(1);
         const auto still = render::draw_still(*context, source, numbers, render_test::frame_of,

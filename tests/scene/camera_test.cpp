@@ -210,7 +210,7 @@ TEST(Dolly, multiplies_the_distance) {
 TEST(Dolly, never_reaches_the_target) {
     Camera camera{{0, 0, 3}, {0, 0, 1}};
     for (int i = 0; i < 500; ++i) camera = scene::dolly(camera, 0.01);
-    EXPECT_NEAR(glm::length(camera.eye - camera.target), 1e-6, 1e-9);
+    EXPECT_NEAR(glm::length(camera.eye - camera.target), 1e-11, 1e-15);
     for (int i = 0; i < 500; ++i) camera = scene::dolly(camera, 100);
     EXPECT_NEAR(glm::length(camera.eye - camera.target), 1e6, 1);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -122,11 +123,42 @@ TEST(ProgramSyntax, is_valid_for_every_formula_with_every_tracer) {
     programs.expect_valid();
 }
 
+TEST(ProgramSyntax, is_valid_in_double_precision_for_every_formula_with_every_tracer) {
+    Programs programs;
+    Features features;
+    features.precision = Precision::doubled;
+    features.outputs = {true, true, true, true};
+    for (const TracerName& tracer : tracers()) {
+        features.tracer = tracer.name;
+        for (const char* text : formulas) programs.add(field_of(text), features);
+    }
+    programs.expect_valid();
+}
+
+TEST(ProgramSyntax, is_valid_about_another_origin) {
+    Programs programs;
+    Features features;
+    features.precision = Precision::recentred;
+    for (const char* text : formulas) {
+        const field::Field field = field_of(text);
+        const bool cells = std::ranges::any_of(field.nodes, [](const field::Node& node) {
+            return std::holds_alternative<field::Cells>(node);
+        });
+        if (!cells) programs.add(field, features);
+    }
+    programs.expect_valid();
+}
+
 TEST(ProgramSyntax, is_valid_for_all_features) {
     for (const char* text : {formulas[0], formulas[8], formulas[12]}) {
         Programs programs;
         const field::Field field = field_of(text);
-        for (const Features& features : all_features()) programs.add(field, features);
+        for (Features features : all_features()) {
+            programs.add(field, features);
+            if (features.tracer != "auto") continue;
+            features.precision = Precision::doubled;
+            programs.add(field, features);
+        }
         programs.expect_valid();
     }
 }
