@@ -90,7 +90,9 @@ std::string_view prepass_part(const FieldGlsl& generated, const Tracer& tracer,
                               const Features& features) {
     if (features.whole_tiles) return "prepass/whole.glsl";
     if (skips_bricks(features)) return "prepass/bricks.glsl";
-    if (features.told_depth || !goes_by_balls(generated, tracer)) return "";
+    // Estimates deep inside of zooms may be too large beside the axis of a cone.
+    const bool zoomed = features.precision == Precision::doubled;
+    if (features.told_depth || zoomed || !goes_by_balls(generated, tracer)) return "";
     return "prepass/cone.glsl";
 }
 
