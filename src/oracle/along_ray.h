@@ -44,9 +44,16 @@ public:
     void take(const Ray& ray) {
         ray_ = ray;
         beam_ = ray;
+        is_ray_ = true;
     }
+    /// Whether the latest that was taken is one ray.
+    bool is_ray() const { return is_ray_; }
+    const Ray& ray() const { return ray_; }
     /// Enclosures are then those of all rays of the beam.
-    void take(const Beam& beam) { beam_ = beam; }
+    void take(const Beam& beam) {
+        beam_ = beam;
+        is_ray_ = false;
+    }
 
     /// How far the points of the beam's rays are apart at distance 1, at most in each coordinate.
     double spread() const {
@@ -65,6 +72,7 @@ public:
     /// these, taken by itself, are `good`.
     template <class Good>
     bool on_each_side(Function function, numeric::Interval t, Good good) {
+        if (cuts(function).empty()) return false;
         intervals_.move_to(place(t));
         int sides = 0;
         return visit_sides(function, 0, sides, good) && sides > 1;
@@ -94,6 +102,7 @@ private:
     const Shape& shape_;
     Ray ray_;
     Beam beam_;
+    bool is_ray_ = true;
     Values<double> numbers_;
     Values<numeric::Interval> intervals_;
     Values<RayJet> jets_;

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// To be raised with every change of what a reference is, or of how it is found.
-constexpr int method_version = 3;
+constexpr int method_version = 4;
 
 constexpr std::string_view extension = ".reference";
 

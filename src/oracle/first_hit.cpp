@@ -42,7 +42,7 @@ Found nearer(const Found& a, const Found& b) {
     return result;
 }
 
-FirstHit::FirstHit(const Shape& shape) : shape_(shape), along_(shape) {
+FirstHit::FirstHit(const Shape& shape) : shape_(shape), along_(shape), distance_(shape) {
     for (std::size_t i = 0; i < shape.parts.size(); ++i) {
         const std::size_t solid = shape.parts[i].solid;
         if (shape.solids[solid].has_loops) continue;
@@ -70,6 +70,10 @@ Piece FirstHit::piece_of(const Target& target, const Stretch& stretch) {
 bool FirstHit::is_clipped_away(const Target& target, const Piece& piece) {
     const std::optional<std::size_t> clip = target.sheet->clip;
     if (!clip) return false;
+    if (shape_.solids[*clip].has_loops) {
+        const bool small = along_.is_ray() && piece.length() <= coarse(piece.end);
+        return small && !is_guessed_inside(*clip, piece);
+    }
     const Interval t{piece.begin, piece.end};
     return is_positive(along_.over({Function::What::solid, *clip}, t));
 }
@@ -81,7 +85,13 @@ bool FirstHit::is_drawn_throughout(const Target& target, const Piece& piece) {
         if (!has_sign(value) || !is_defined(value)) return false;
     }
     const std::optional<std::size_t> clip = target.sheet->clip;
-    return !clip || along_.over({Function::What::solid, *clip}, t).hi <= 0;
+    if (!clip) return true;
+    if (shape_.solids[*clip].has_loops) return along_.is_ray() && is_guessed_inside(*clip, piece);
+    return along_.over({Function::What::solid, *clip}, t).hi <= 0;
+}
+
+bool FirstHit::is_guessed_inside(std::size_t solid, const Piece& piece) {
+    return distance_(solid, along_.ray().at(piece.begin + 0.5 * piece.length())) <= 0;
 }
 
 /// By what is cheap: without derivatives.

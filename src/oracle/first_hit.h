@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "oracle/along_ray.h"
+#include "oracle/heuristic_distance.h"
 #include "oracle/reference.h"
 
 namespace oracle {
@@ -43,7 +44,8 @@ public:
     Places narrowed(const Beam& beam, const Places& places, double within);
     /// Of all parts without loops, within the stretch, for a ray of the beam that the places are
     /// of. A hit is enclosed to 1e-9 of its distance. Undecided is where f comes so close to 0 that
-    /// its sign cannot be told, and where the effort is spent.
+    /// its sign cannot be told, and where the effort is spent. What a solid with loops cuts off of
+    /// a sheet is guessed.
     Found operator()(const Ray& ray, const Stretch& stretch, const Places& places);
 
 private:
@@ -73,6 +75,8 @@ private:
     bool isolate_root(const Function& function, Piece& piece);
     void split(const Function& function, const Piece& piece);
     bool is_clipped_away(const Target& target, const Piece& piece);
+    /// Heuristic: by a point of a small piece of a ray.
+    bool is_guessed_inside(std::size_t solid, const Piece& piece);
     bool is_drawn_throughout(const Target& target, const Piece& piece);
     std::optional<Piece> hit_around(const Target& target, const Piece& piece,
                                     const Stretch& stretch);
@@ -83,6 +87,7 @@ private:
 
     const Shape& shape_;
     AlongRay along_;
+    HeuristicDistance distance_;
     std::vector<Target> targets_;
     std::vector<Piece> open_;  ///< to be looked at, the nearest last
     double rounding_ = 0;      ///< of the coordinates of the ray's points

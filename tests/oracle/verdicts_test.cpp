@@ -58,6 +58,16 @@ TEST(Verdicts, an_even_root_that_is_written_as_one_is_hit) {
     expect_hit(down_z("(x^2 + y^2 + z^2 - 1)^2 = 0"), 4);
 }
 
+TEST(Verdicts, an_escape_time_set_cuts_a_sheet) {
+    for (const char* set : {"julia(c = (0, 0, 0, 0))", "mandelbulb(8, 3)"}) {
+        const std::string text = std::string("z = 0.1 & ") + set;
+        const Pixel within = down_z(text, 0.3, 0.2);
+        EXPECT_EQ(within.verdict, Verdict::hit) << text;
+        EXPECT_NEAR(within.depth(), 4.9, 1e-8) << text;
+        EXPECT_EQ(down_z(text, 1.5, 0.2).verdict, Verdict::miss) << text;
+    }
+}
+
 TEST(Verdicts, a_sheet_may_be_a_solid) {
     expect_hit(down_z("max(x^2 + y^2 + z^2 - 1, 0) = 0"), 4);
     expect_hit(down_z("min(0, 1 - x^2 - y^2 - z^2) = 0"), 4);
