@@ -93,6 +93,14 @@ TEST(Precision, is_in_the_program_and_its_numbers) {
     EXPECT_EQ(numbers.values.size(), source.field_values.size());
 }
 
+TEST(Precision, that_is_double_sends_no_cones_before_rays) {
+    scene::Document document = looking_at("julia((-0.2, 0.6, 0.2, 0.2), 100)", {0, 0, 0}, 1);
+    const Formula formula = understood(document.formula);
+    EXPECT_FALSE(program_source(formula, document, {}).prepass.empty());
+    document.settings.precision = "double";
+    EXPECT_TRUE(program_source(formula, document, {}).prepass.empty());
+}
+
 TEST(Precision, is_chosen_anew_when_the_camera_is_elsewhere) {
     const scene::Document a = looking_at("x = 0", {0, 0, 1}, 1);
     EXPECT_TRUE(look_alike(a, looking_at("x = 0", {0, 0.1, 1}, 1.2)));
