@@ -4,7 +4,10 @@
 #include <chrono>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "compile/brick_texels.h"
+#include "compile/family_numbers.h"
 #include "compile/precision.h"
 #include "compile/visible_region.h"
 #include "eval/tape.h"
@@ -31,7 +34,18 @@ float inverse_lipschitz(double lipschitz) {
     return lipschitz > 0 ? rounded_down(1 / lipschitz) : 1e30F;
 }
 
-double number(const FieldValue& value, FieldBounds& bounds, double expression) {
+using FamilyHeads = std::vector<std::array<float, shader::family_head_size>>;
+
+/// Where the members of a family are looked at; rays without an end mostly look there as well.
+analysis::Region region_of(const shader::FamilyTable& family, FieldBounds& bounds,
+                           const scene::Bounds& visible) {
+    const std::optional<analysis::Region> region = bounds.region(family.cells);
+    const bool bounded = region && std::isfinite(glm::length(region->half + region->centre));
+    return bounded ? *region : visible_region(visible);
+}
+
+double number(const FieldValue& value, FieldBounds& bounds, const FamilyHeads& families,
+              double expression) {
     switch (value.what) {
         case FieldValue::What::expression:
             return expression;
@@ -46,6 +60,8 @@ double number(const FieldValue& value, FieldBounds& bounds, double expression) {
             const analysis::LeafBounds leaf = bounds.of_leaf(value.node, value.cells);
             return leaf.stiff || leaf.partial ? 1 : 0;
         }
+        case FieldValue::What::family:
+            return families[value.family][value.component];
     }
     return 0;
 }
@@ -105,10 +121,22 @@ shader::FieldNumbers field_numbers(const Formula& formula, const shader::Program
     std::vector<double> registers;
     eval::evaluate<double>(source.expressions, {}, parameters, expressions, registers);
     FieldBounds bounds(formula.field, formula.tapes, region_of(document.bounds), parameters);
+    FamilyHeads families;
+    if (!source.families.empty()) {
+        auto texels = std::make_shared<std::vector<float>>();
+        for (const shader::FamilyTable& family : source.families) {
+            analysis::Region region = region_of(family, bounds, document.bounds);
+            // Coordinates are not recentred where there are cells.
+            region.centre -= glm::dvec3(numbers.origin[0], numbers.origin[1], numbers.origin[2]);
+            families.push_back(add_family(*texels, family, region, parameters));
+        }
+        numbers.families = std::move(texels);
+    }
     std::size_t next = 0;
     for (const FieldValue& value : source.field_values) {
         const bool is_expression = value.what == FieldValue::What::expression;
-        numbers.values.push_back(number(value, bounds, is_expression ? expressions[next++] : 0));
+        numbers.values.push_back(
+            number(value, bounds, families, is_expression ? expressions[next++] : 0));
     }
     if (!source.bricks.empty() || source.scene_bricks) {
         const auto start = std::chrono::steady_clock::now();

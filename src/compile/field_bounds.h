@@ -50,6 +50,9 @@ public:
     /// the value may jump. Rigorous as far as the estimates of iterations are 1-Lipschitz.
     double lipschitz(field::FieldId node, const Path& cells);
 
+    /// The region seen in the coordinates of the innermost of the cells.
+    const std::optional<analysis::Region>& region(const Path& cells);
+
 private:
     using Place = std::pair<field::FieldId, Path>;
 
@@ -57,8 +60,6 @@ private:
     double of_distortions(field::FieldId leaf, const Path& cells);
     /// Of a displacement alone.
     double of_displacement(const eval::Tape& tapes, const Path& cells);
-    /// The region seen in the coordinates of the innermost of the cells.
-    const std::optional<analysis::Region>& region(const Path& cells);
 
     const field::Field& field_;
     const BoundTapes& tapes_;

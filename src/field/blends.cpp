@@ -33,6 +33,10 @@ FieldId blend(Field& field, const std::vector<FieldId>& operands, const Value& v
     if (whole) {
         for (const Formula& it : formulas) parts.emplace_back(field.graph, it.value);
         whole->value = value(parts).id;
+        if (const auto outlines = take_minima(field, formulas, *whole)) {
+            for (std::size_t i = 0; i < parts.size(); ++i) parts[i].id = (*outlines)[i];
+            whole->outline = value(parts).id;
+        }
         return field.add(std::move(*whole));
     }
     Blend result{.operands = operands, .values = {}};
@@ -75,6 +79,25 @@ FieldId smooth_union(Field& field, FieldId a, FieldId b, NodeId k) {
     const Expr width = positive(field, k);
     return blend(field, {a, b},
                  [&](const std::vector<Expr>& f) { return polynomial_minimum(f[0], f[1], width); });
+}
+
+FieldId smooth_union(Field& field, const std::vector<FieldId>& operands, NodeId k) {
+    const Expr width = positive(field, k);
+    const FieldId id = blend(field, operands, [&](const std::vector<Expr>& f) {
+        Expr least = f[0];
+        for (std::size_t i = 1; i < f.size(); ++i) least = polynomial_minimum(least, f[i], width);
+        return least;
+    });
+    auto* whole = std::get_if<Formula>(&field.nodes[index(id)]);
+    const bool of_distances = whole && whole->metric == Metric::distance && whole->minima.empty();
+    if (!of_distances || operands.size() < many) return id;
+    Minimum minimum{{}, width.id, field.graph.new_variable("minimum")};
+    for (const FieldId it : operands) minimum.operands.push_back(composed(field, it)->value);
+    // Composing may have added nodes.
+    whole = &std::get<Formula>(field.nodes[index(id)]);
+    whole->outline = field.graph.variable(minimum.variable);
+    whole->minima = {std::move(minimum)};
+    return id;
 }
 
 FieldId smooth_union_exp(Field& field, FieldId a, FieldId b, NodeId k) {
@@ -129,6 +152,7 @@ FieldId displace(Field& field, FieldId a, NodeId by) {
     }
     const auto add = [&](NodeId to) { return field.graph.apply(graph::Op::add, to, by); };
     result.value = add(result.value);
+    if (!result.minima.empty()) result.outline = add(result.outline);
     for (Distortion& it : result.distortions) {
         it.displacement = it.displacement ? add(*it.displacement) : by;
     }

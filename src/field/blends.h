@@ -13,6 +13,9 @@ namespace field {
 /// 0). A slider may bring the width down to 0, which gives the plain union, here and below.
 FieldId smooth_union(Field& field, FieldId a, FieldId b, graph::NodeId k);
 
+/// The same of many: of the first two, of that and the third, and so on.
+FieldId smooth_union(Field& field, const std::vector<FieldId>& operands, graph::NodeId k);
+
 /// -log(exp(-a / w) + exp(-b / w)) w, with the sharpness k = 1 / w (K 23).
 FieldId smooth_union_exp(Field& field, FieldId a, FieldId b, graph::NodeId k);
 

@@ -2,9 +2,12 @@
 #include "field/compose.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "field/overloaded.h"
 #include "field/parts.h"
+#include "graph/substitute.h"
 
 namespace field {
 namespace {
@@ -14,7 +17,51 @@ bool same(const Distortion& a, const Distortion& b) {
            a.displacement == b.displacement;
 }
 
+void collect_operands(const Field& field, FieldId id, std::vector<FieldId>& list) {
+    const auto* node = std::get_if<Union>(&field[id]);
+    if (!node) return list.push_back(id);
+    const auto [a, b] = *node;
+    collect_operands(field, a, list);
+    collect_operands(field, b, list);
+}
+
+/// If a union is one of many distances, says so in its formula.
+void tell_operands(Field& field, FieldId id, Formula& whole) {
+    if (whole.metric != Metric::distance) return;
+    std::vector<FieldId> list;
+    collect_operands(field, id, list);
+    if (list.size() < many) return;
+    Minimum minimum{{}, {}, field.graph.new_variable("minimum")};
+    for (const FieldId it : list) {
+        const auto operand = composed(field, it);
+        if (!operand->minima.empty()) return;
+        minimum.operands.push_back(operand->value);
+    }
+    whole.outline = field.graph.variable(minimum.variable);
+    whole.minima = {std::move(minimum)};
+}
+
 }  // namespace
+
+std::optional<std::vector<graph::NodeId>> take_minima(Field& field,
+                                                      const std::vector<Formula>& parts,
+                                                      Formula& whole) {
+    std::vector<graph::NodeId> outlines;
+    for (const Formula& part : parts) {
+        outlines.push_back(part.minima.empty() ? part.value : part.outline);
+        std::vector<std::pair<graph::VariableId, graph::NodeId>> replacements;
+        for (const Minimum& minimum : part.minima) {
+            whole.minima.push_back(minimum);
+            whole.minima.back().variable = field.graph.new_variable("minimum");
+            replacements.emplace_back(minimum.variable,
+                                      field.graph.variable(whole.minima.back().variable));
+        }
+        outlines.back() =
+            graph::substitute(field.graph, std::array{outlines.back()}, replacements)[0];
+    }
+    if (whole.minima.empty()) return std::nullopt;
+    return outlines;
+}
 
 std::optional<Formula> joined(Field& field, const std::vector<Formula>& parts) {
     Formula result{.colour = parts[0].colour};
@@ -46,7 +93,11 @@ std::optional<Formula> composed(Field& field, FieldId id) {
         const auto b = a ? composed(field, b_id) : std::nullopt;
         if (!b) return std::nullopt;
         std::optional<Formula> result = joined(field, {*a, *b});
-        if (result) result->value = apply(a->value, b->value);
+        if (!result) return std::nullopt;
+        result->value = apply(a->value, b->value);
+        if (const auto outlines = take_minima(field, {*a, *b}, *result)) {
+            result->outline = apply((*outlines)[0], (*outlines)[1]);
+        }
         return result;
     };
     const auto by = [&](graph::Op op) {
@@ -59,11 +110,18 @@ std::optional<Formula> composed(Field& field, FieldId id) {
             [](const Formula& leaf) -> std::optional<Formula> {
                 return leaf.kind == Kind::solid ? std::optional(leaf) : std::nullopt;
             },
-            [&](const Union& n) { return binary(n.a, n.b, by(graph::Op::min)); },
+            [&](const Union& n) {
+                auto result = binary(n.a, n.b, by(graph::Op::min));
+                if (result) tell_operands(field, id, *result);
+                return result;
+            },
             [&](const Intersection& n) { return binary(n.a, n.b, by(graph::Op::max)); },
             [&](const Complement& n) {
                 auto a = composed(field, n.a);
                 if (a) a->value = field.graph.apply(graph::Op::neg, a->value);
+                if (a && !a->minima.empty()) {
+                    a->outline = field.graph.apply(graph::Op::neg, a->outline);
+                }
                 return a;
             },
             [&](const Choice& n) {

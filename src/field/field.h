@@ -51,6 +51,18 @@ struct Distortion {
     std::optional<graph::NodeId> displacement;
 };
 
+/// So many operands are many: worth to be told apart from one another in cells of space.
+inline constexpr std::size_t many = 16;
+
+/// A minimum of many distances in the value of a formula.
+struct Minimum {
+    std::vector<graph::NodeId> operands;
+    /// If given, it is the polynomial smooth minimum over this width, of one operand after the
+    /// other (field::smooth_union).
+    std::optional<graph::NodeId> width;
+    graph::VariableId variable{};  ///< stands for it in the formula's outline
+};
+
 /// A leaf given by one expression in the point.
 struct Formula {
     graph::NodeId value{};
@@ -61,6 +73,10 @@ struct Formula {
     /// Of a scalar that is made of distorted distances: it changes by no more than that one of them
     /// which changes most. Empty if it is made of anything else, too.
     std::vector<Distortion> distortions{};
+    /// Minima of many operands that the value is made of, as far as they are known, and the value
+    /// as an expression of their variables.
+    std::vector<Minimum> minima{};
+    graph::NodeId outline{};  ///< if there are minima
 };
 
 /// An escape-time leaf, always a solid. The state starts at `start` (of the point), and `step` (of

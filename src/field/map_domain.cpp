@@ -55,18 +55,38 @@ struct Mapping {
     // What is left to do after the expressions are composed with the map. A distance is multiplied;
     // a scalar keeps its value, whose sign is all that counts, unless it is made of distances.
     void finish(Formula& leaf) const {
+        const bool scalar = leaf.metric == Metric::scalar && leaf.distortions.empty();
+        const bool multiplied = !scalar || scalars;
+        if (multiplied && stretch) multiply_minima(leaf);
+        // Their operands would be no distances.
+        if (!multiplied || !stretch) leaf.minima.clear();
         leaf.exact = leaf.exact && exact && stretch;
         if (leaf.metric == Metric::distance && !stretch) {
             leaf.metric = Metric::scalar;
             leaf.distortions = {Distortion{image, {}}};
             return;
         }
-        const bool scalar = leaf.metric == Metric::scalar && leaf.distortions.empty();
-        if (!scalar || scalars) multiply(leaf.value);
+        if (multiplied) multiply(leaf.value);
         for (Distortion& it : leaf.distortions) {
             multiply(it.image.point);
             if (it.displacement) multiply(*it.displacement);
         }
+    }
+    void multiply_minima(Formula& leaf) const {
+        if (leaf.minima.empty() || field.graph.is_constant(*stretch, 1)) return;
+        // What the outline adds belongs to values before they were multiplied.
+        std::vector<std::pair<graph::VariableId, NodeId>> replacements;
+        for (Minimum& minimum : leaf.minima) {
+            for (NodeId& operand : minimum.operands) multiply(operand);
+            if (minimum.width) multiply(*minimum.width);
+            const NodeId variable = field.graph.variable(minimum.variable);
+            replacements.emplace_back(minimum.variable,
+                                      field.graph.apply(graph::Op::div, variable, *stretch));
+        }
+        const NodeId only = field.graph.variable(leaf.minima[0].variable);
+        if (leaf.outline == only) return;
+        leaf.outline = graph::substitute(field.graph, std::array{leaf.outline}, replacements)[0];
+        multiply(leaf.outline);
     }
     void finish(Iteration& leaf) const {
         multiply(leaf.distance);

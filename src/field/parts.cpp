@@ -34,6 +34,11 @@ struct Expressions {
             add(distortion.displacement);
         }
         add(leaf.colour);
+        for (Minimum& minimum : leaf.minima) {
+            add_all(minimum.operands);
+            add(minimum.width);
+        }
+        if (!leaf.minima.empty()) add(leaf.outline);
     }
     void operator()(Iteration& leaf) {
         add_all(leaf.start);
@@ -95,6 +100,7 @@ Node shape(const Field& field, FieldId id) {
     if (auto* formula = std::get_if<Formula>(&node)) {
         formula->colour.reset();
         formula->distortions.clear();
+        formula->minima.clear();
     }
     if (auto* cells = std::get_if<Cells>(&node)) cells->colour.reset();
     auto* iteration = std::get_if<Iteration>(&node);

@@ -13,8 +13,8 @@ std::vector<graph::NodeId*> expressions(Node& node);
 /// All expressions of the node itself, in the same order.
 std::vector<graph::NodeId> expressions(const Node& node);
 
-/// The node as far as its values go: without colours and the state that only they need, and without
-/// what only a Lipschitz constant is found from.
+/// The node as far as its values go: without colours and the state that only they need, without
+/// what only a Lipschitz constant is found from, and without what says the same in another way.
 Node shape(const Field& field, FieldId id);
 
 /// The nodes right below, from left to right; none below a leaf.

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Blends of fields by name.
+#include <algorithm>
+#include <vector>
+
 #include "field/blends.h"
 #include "formula/combination_arguments.h"
 #include "formula/combination_builders.h"
+#include "formula/repeated_field.h"
 
 namespace formula {
 namespace {
@@ -28,10 +32,47 @@ Value build_pair(Lowering& lowering, const Call& call, std::string_view number, 
                       a->field.objects + b->field.objects};
 }
 
+Value smooth_union_of(Lowering& lowering, const std::vector<FieldOperand>& operands,
+                      std::optional<NodeId> k) {
+    std::vector<FieldId> ids;
+    std::size_t objects = 0;
+    for (const FieldOperand& it : operands) {
+        if (!require_solid(lowering, it, only_solids)) return Nothing{};
+        ids.push_back(it.field.id);
+        objects += it.field.objects;
+    }
+    if (!k) return Nothing{};
+    return FieldValue{field::smooth_union(lowering.field, ids, *k), objects};
+}
+
 }  // namespace
 
 Value build_smooth_union(Lowering& lowering, const Call& call) {
-    return build_pair(lowering, call, "k", 0.25, field::smooth_union);
+    if (has_repeated_field(lowering, call)) {
+        constexpr Slot slots[] = {{"", true}, {"n", true}, {"k"}};
+        const auto arguments = CombinationArguments::of(lowering, call, slots);
+        const auto copies = arguments ? repeated_field(lowering, call) : std::nullopt;
+        return copies ? smooth_union_of(lowering, *copies, arguments->positive(2, 0.25))
+                      : Nothing{};
+    }
+    // The last of three or more arguments may be a field or the width.
+    const std::size_t most = std::max<std::size_t>(call.arguments.size(), 2);
+    for (std::size_t fields = std::max<std::size_t>(most - 1, 2); fields <= most; ++fields) {
+        std::vector<Slot> slots(fields, {"", true});
+        slots.push_back({"k"});
+        const auto arguments = CombinationArguments::of(lowering, call, slots);
+        if (!arguments) return Nothing{};
+        if (fields < most && arguments->is_field(fields)) continue;
+        std::vector<FieldOperand> operands;
+        for (std::size_t i = 0; i < fields; ++i) {
+            const auto operand = arguments->solid(i, only_solids);
+            if (operand) operands.push_back(*operand);
+        }
+        const auto k = arguments->positive(fields, 0.25);
+        if (operands.size() < fields) return Nothing{};
+        return smooth_union_of(lowering, operands, k);
+    }
+    return Nothing{};
 }
 
 Value build_smooth_union_exp(Lowering& lowering, const Call& call) {

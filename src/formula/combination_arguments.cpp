@@ -33,6 +33,11 @@ std::optional<FieldOperand> CombinationArguments::field(std::size_t slot) const 
     return FieldOperand{*field, *bound_[slot]};
 }
 
+bool CombinationArguments::is_field(std::size_t slot) const {
+    return has(slot) &&
+           std::holds_alternative<FieldValue>(lower_expression(lowering_, *bound_[slot]));
+}
+
 std::optional<FieldOperand> CombinationArguments::solid(std::size_t slot,
                                                         std::string_view problem) const {
     std::optional<FieldOperand> operand = field(slot);

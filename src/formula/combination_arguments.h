@@ -26,6 +26,8 @@ public:
     base::SourceSpan span(std::size_t slot) const { return lowering_.span(*bound_[slot]); }
 
     std::optional<FieldOperand> field(std::size_t slot) const;
+    /// Whether the argument is a field, as it is in a call with more fields than slots for them.
+    bool is_field(std::size_t slot) const;
     /// `problem` is the sentence that tells what cannot be done with a sheet.
     std::optional<FieldOperand> solid(std::size_t slot, std::string_view problem) const;
 

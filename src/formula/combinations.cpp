@@ -26,7 +26,7 @@ constexpr Combination table[] = {
     {"shell", "shell(F, thickness = 0.1)", build_shell},
     {"smooth_difference", "smooth_difference(F, G, k = 0.25)", build_smooth_difference},
     {"smooth_intersection", "smooth_intersection(F, G, k = 0.25)", build_smooth_intersection},
-    {"smooth_union", "smooth_union(F, G, k = 0.25)", build_smooth_union},
+    {"smooth_union", "smooth_union(F, G, ..., k = 0.25)", build_smooth_union},
     {"smooth_union_exp", "smooth_union_exp(F, G, k = 8)", build_smooth_union_exp},
     {"smooth_union_power", "smooth_union_power(F, G, p = 4)", build_smooth_union_power},
     {"translate", "translate(F, (dx, dy, dz))", build_translate},

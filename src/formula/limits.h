@@ -10,7 +10,7 @@ namespace formula {
 inline constexpr std::size_t max_text_bytes = 65536;   ///< of the whole formula
 inline constexpr std::size_t max_brackets = 200;       ///< brackets that are open at one place
 inline constexpr std::size_t max_height = 1000;        ///< levels of the syntax tree
-inline constexpr std::size_t max_nodes = 20000;        ///< of the graph
+inline constexpr std::size_t max_nodes = 100000;       ///< of the graph
 inline constexpr std::size_t max_objects = 10000;      ///< leaves of the field, repeated ones too
 inline constexpr std::size_t max_turns = 10000;        ///< of an iteration
 inline constexpr std::size_t max_errors = 20;          ///< reported for one text

@@ -108,8 +108,8 @@ void check_expansion(Lowering& lowering, base::SourceSpan span) {
 void check_size(Lowering& lowering, const Value& value, base::SourceSpan span) {
     const auto* field = std::get_if<FieldValue>(&value);
     if (lowering.field.graph.size() > max_nodes) {
-        static_assert(max_nodes == 20000);
-        stop(lowering, span, "the formula needs more than 20,000 operations; make it shorter");
+        static_assert(max_nodes == 100000);
+        stop(lowering, span, "the formula needs more than 100,000 operations; make it shorter");
     } else if ((field && field->objects > max_objects) ||
                lowering.field.nodes.size() > 4 * max_objects) {
         static_assert(max_objects == 10000);

@@ -33,7 +33,9 @@ Value choose_vector(Lowering& lowering, const Condition& condition, Algebra alge
 Value choose_field(Lowering& lowering, const Call& call, const Condition& condition,
                    const FieldValue& a, const FieldValue& b) {
     graph::Graph& graph = lowering.field.graph;
-    const NodeId sign = sign_of(lowering, condition);
+    const NodeId sign = folded(lowering, sign_of(lowering, condition));
+    // As the copies of a function have it, by their numbers.
+    if (graph.is_constant(sign)) return graph[sign].value > 0 ? a : b;
     if (lowering.facts.depends_on_point(graph, sign)) {
         lowering.error(lowering.span(call.arguments[0]),
                        "the condition of 'if' between fields must be the same at every point; "

@@ -5,6 +5,7 @@
 #include "formula/combination_builders.h"
 #include "formula/combinations.h"
 #include "formula/functions.h"
+#include "formula/repeated_field.h"
 #include "formula/set_operations.h"
 
 namespace formula {
@@ -34,6 +35,11 @@ bool has_count(Lowering& lowering, const Call& call, std::size_t least, std::siz
 }  // namespace
 
 Value build_union(Lowering& lowering, const Call& call) {
+    if (has_repeated_field(lowering, call)) {
+        if (!has_count(lowering, call, 2, 2)) return Nothing{};
+        const auto copies = repeated_field(lowering, call);
+        return copies ? Value(unite(lowering, *copies)) : Nothing{};
+    }
     const auto fields = operands(lowering, call);
     if (!has_count(lowering, call, 2, any_number) || !fields) return Nothing{};
     return unite(lowering, *fields);

@@ -20,6 +20,8 @@ constexpr GLuint frame_binding = 0;
 constexpr GLuint values_binding = 1;
 /// Texture units of what is kept: geometry, normal, light.
 constexpr GLuint kept_unit = 2;
+/// The texture unit of families.
+constexpr GLuint families_unit = 6;
 
 /// The most that is read back with one call: its size must fit a GLsizei.
 constexpr long long most_bytes_read = 64LL << 20;
@@ -170,14 +172,17 @@ Canvas& Canvas::operator=(Canvas&& other) noexcept {
     std::swap(frame_buffer_object_, other.frame_buffer_object_);
     std::swap(values_buffer_object_, other.values_buffer_object_);
     std::swap(tile_parts_, other.tile_parts_);
+    std::swap(families_buffer_object_, other.families_buffer_object_);
+    std::swap(families_texture_, other.families_texture_);
+    std::swap(families_, other.families_);
     return *this;
 }
 
 Canvas::~Canvas() {
     if (!gl_) return;
-    for (GLuint* texture : {&picture_, &geometry_, &normal_, &light_})
+    for (GLuint* texture : {&picture_, &geometry_, &normal_, &light_, &families_texture_})
         gl_->DeleteTextures(1, texture);
-    for (GLuint* buffer : {&frame_buffer_object_, &values_buffer_object_})
+    for (GLuint* buffer : {&frame_buffer_object_, &values_buffer_object_, &families_buffer_object_})
         gl_->DeleteBuffers(1, buffer);
     gl_->DeleteVertexArrays(1, &vertex_array_);
     gl_->DeleteFramebuffers(1, &framebuffer_);
@@ -186,6 +191,24 @@ Canvas::~Canvas() {
 int Canvas::width() const { return width_; }
 int Canvas::height() const { return height_; }
 GLuint Canvas::picture_texture() const { return picture_; }
+
+/// Large, so handed over only when they have changed.
+void Canvas::bind_families(const shader::FieldNumbers& numbers) {
+    if (!numbers.families) return;
+    const Gl& gl = *gl_;
+    if (numbers.families != families_) {
+        if (families_texture_ == 0) {
+            gl.CreateBuffers(1, &families_buffer_object_);
+            gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &families_texture_);
+        }
+        families_ = numbers.families;
+        gl.NamedBufferData(families_buffer_object_,
+                           static_cast<GLsizeiptr>(families_->size() * sizeof(float)),
+                           families_->data(), GL_STATIC_DRAW);
+        gl.TextureBuffer(families_texture_, GL_RGBA32F, families_buffer_object_);
+    }
+    gl.BindTextureUnit(families_unit, families_texture_);
+}
 
 void Canvas::draw(const Program& program, const Frame& frame, const shader::FieldNumbers& numbers,
                   const Tile& tile) {
@@ -203,6 +226,8 @@ void Canvas::draw_from(Pass first, const Canvas& kept, const Program& program, c
     gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer_object_);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, values_binding, values_buffer_object_);
     bricks_->bind(numbers.bricks);
+
+    bind_families(numbers);
 
     set_state(gl);
     gl.BindVertexArray(vertex_array_);

@@ -2,7 +2,9 @@
 // Textures that a program draws into, and reading them back.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/result.h"
 #include "image/image.h"
@@ -58,6 +60,8 @@ private:
     Canvas() = default;
     void draw_tile_parts(const Program& program, const Frame& frame, const Tile& tile);
 
+    void bind_families(const shader::FieldNumbers& numbers);
+
     const Gl* gl_ = nullptr;
     int width_ = 0, height_ = 0;
     GLuint framebuffer_ = 0, vertex_array_ = 0;
@@ -65,6 +69,8 @@ private:
     std::optional<BrickTexture> bricks_;
     GLuint frame_buffer_object_ = 0, values_buffer_object_ = 0;
     std::optional<TileParts> tile_parts_;  ///< always there in a canvas that can be drawn into
+    GLuint families_buffer_object_ = 0, families_texture_ = 0;
+    std::shared_ptr<const std::vector<float>> families_;  ///< what these hold
 };
 
 }  // namespace render

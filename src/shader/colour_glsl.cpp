@@ -28,15 +28,40 @@ struct OwnColour {
     const field::Iteration* iteration = nullptr;
 };
 
+std::optional<OwnColour> colour_of_cells(const FieldCode& code,
+                                         const std::vector<field::FieldId>& around) {
+    for (auto cells = around.begin(); cells != around.end(); ++cells) {
+        const auto& colour = std::get<field::Cells>(code.field[*cells]).colour;
+        if (colour) return OwnColour{*colour, {around.begin(), cells}};
+    }
+    return std::nullopt;
+}
+
 std::optional<OwnColour> own_colour(const FieldCode& code, std::size_t i) {
     const Object& object = code.plan.objects[i];
-    for (auto cells = object.cells.begin(); cells != object.cells.end(); ++cells) {
-        const auto& colour = std::get<field::Cells>(code.field[*cells]).colour;
-        if (colour) return OwnColour{*colour, {object.cells.begin(), cells}};
-    }
+    if (auto own = colour_of_cells(code, object.cells)) return own;
     const auto colour = colour_of(code.field[object.id]);
     if (!colour) return std::nullopt;
     return OwnColour{*colour, object.cells, code.iteration(i)};
+}
+
+/// What tells the colours of a family's members.
+std::string family_colour(FieldCode& code, std::size_t i) {
+    const CodedFamily& family = code.families[i];
+    const std::optional<OwnColour> own = colour_of_cells(code, family.cells);
+    if (!own && !family.has_colours()) return {};
+    const std::string name = fmt::format("colour_of_family_{}", i);
+    if (own) write_colour(code, name, own->colour, nullptr);
+    const WayIn way = way_in(code, own ? own->cells : family.cells, "        ");
+    const std::string& p = way.points.back();
+    const std::string answer =
+        own ? fmt::format("        colour = {}({});\n        return true;\n", name, p)
+            : fmt::format(
+                  "        real4 own = member_colour_{}({}, {});\n"
+                  "        colour = own.rgb;\n        return own.a > 0.0;\n",
+                  i, p, family.row("object"));
+    return fmt::format("    if (object >= {} && object <= {}) {{\n{}{}    }}\n",
+                       family.first_object, family.last_object(), way.statements, answer);
 }
 
 }  // namespace
@@ -44,6 +69,7 @@ std::optional<OwnColour> own_colour(const FieldCode& code, std::size_t i) {
 void write_colours(FieldCode& code) {
     std::string calls;
     for (std::size_t i = 0; i < code.plan.objects.size(); ++i) {
+        if (code.plan.objects[i].is_member) continue;
         const std::optional<OwnColour> own = own_colour(code, i);
         if (!own) continue;
         write_colour(code, fmt::format("colour_{}", i), own->colour, own->iteration);
@@ -53,6 +79,7 @@ void write_colours(FieldCode& code) {
             "        return true;\n    }}\n",
             i, way.statements, way.points.back());
     }
+    for (std::size_t i = 0; i < code.plan.families.size(); ++i) calls += family_colour(code, i);
     code.out.has_colours = !calls.empty();
     if (!code.out.has_colours) return;
     code.out.code += fmt::format(

@@ -2,6 +2,9 @@
 #include "shader/field_code.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,7 +22,15 @@ namespace shader {
 using field::FieldId;
 
 FieldCode::FieldCode(field::Field of, const Demands& demanded, Precision precision)
-    : field(std::move(of)), demands(demanded), plan(field_plan(field)), values(precision) {
+    : field(std::move(of)), demands(demanded), values(precision) {
+    // Members have neither intervals nor Hessians of their own.
+    const bool as_data = !demands.intervals && !demands.hessians && !demands.text_only;
+    if (as_data) gathered = gather_families(field);
+    plan = field_plan(field, gathered);
+    if (as_data) {
+        code_families();
+        code_minima();
+    }
     spell_out_orbits();
     differentiate();
     if (demands.hessians) differentiate_twice();
@@ -47,13 +58,105 @@ void FieldCode::spell_out_orbits() {
     for (std::size_t i = 0; i < places.size(); ++i) *places[i] = spelt[i];
 }
 
+namespace {
+
+/// The same with lengths as roots of sums of squares: faster on the CPU, where nothing overflows
+/// that can be seen.
+graph::NodeId with_roots(graph::Graph& graph, graph::NodeId root) {
+    std::map<graph::NodeId, graph::NodeId> copies;
+    for (const graph::NodeId id : reachable(graph, std::array{root})) {
+        const graph::Node node = graph[id];  // a copy: adding nodes moves them
+        std::array<graph::NodeId, graph::max_arity> arguments{};
+        const std::size_t count = node.args().size();
+        for (std::size_t i = 0; i < count; ++i) arguments[i] = copies.at(node.arguments[i]);
+        if (count == 0) {
+            copies[id] = id;
+        } else if (node.op == graph::Op::hypot || node.op == graph::Op::hypot3) {
+            const auto square = [&](std::size_t i) {
+                return graph.apply(graph::Op::mul, arguments[i], arguments[i]);
+            };
+            graph::NodeId sum = square(0);
+            for (std::size_t i = 1; i < count; ++i) {
+                sum = graph.apply(graph::Op::add, sum, square(i));
+            }
+            copies[id] = graph.apply(graph::Op::sqrt, sum);
+        } else {
+            copies[id] = graph.apply(node.op, std::span(arguments).first(count));
+        }
+    }
+    return copies.at(root);
+}
+
+}  // namespace
+
+void FieldCode::code_family(Family of, const std::vector<FieldId>& cells,
+                            std::size_t first_object) {
+    CodedFamily family;
+    family.it = std::move(of);
+    family.first_object = first_object;
+    family.cells = cells;
+    std::vector<graph::NodeId> values;
+    std::size_t numbers = 0;
+    for (const MemberKind& kind : family.it.kinds) {
+        values.push_back(kind.value);
+        family.tapes.push_back(
+            {eval::make_tape(field.graph, std::array{with_roots(field.graph, kind.value)}),
+             kind.variables});
+        numbers = std::max(numbers, kind.variables.size());
+    }
+    family.texels = (numbers + (values.size() > 1 ? 2 : 1) + 3) / 4;
+    family.gradients = passes::gradients(field.graph, values);
+    families.push_back(std::move(family));
+}
+
+void FieldCode::code_families() {
+    for (const PlannedFamily& planned : plan.families) {
+        code_family(gathered.at(planned.id), planned.cells, planned.first_object);
+    }
+}
+
+/// Formulas of many operands are written by their outlines.
+void FieldCode::code_minima() {
+    const std::vector<bool> depends_on_point = depends_on_variables(field.graph);
+    std::map<FieldId, std::vector<field::Minimum>> known;
+    for (std::size_t i = 0; i < plan.objects.size(); ++i) {
+        const Object& object = plan.objects[i];
+        auto* leaf = std::get_if<field::Formula>(&field.nodes[index(object.id)]);
+        if (!leaf || object.is_member || leaf->minima.empty()) continue;
+        std::vector<Family> found;
+        for (const field::Minimum& minimum : leaf->minima) {
+            auto family = family_of(field, depends_on_point, minimum);
+            if (family) found.push_back(*std::move(family));
+        }
+        if (found.size() < leaf->minima.size()) continue;
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            minima[i][leaf->minima[k].variable] = families.size();
+            code_family(std::move(found[k]), object.cells, i);
+        }
+        leaf->value = leaf->outline;
+    }
+    for (field::Node& node : field.nodes) {
+        // What the outline is made of is in the families now.
+        if (auto* leaf = std::get_if<field::Formula>(&node)) leaf->minima.clear();
+    }
+}
+
 void FieldCode::differentiate() {
     std::vector<FieldId> formulas;
     std::vector<graph::NodeId> formula_values;
     for (const Object& object : plan.objects) {
+        if (object.is_member) continue;
         if (const auto* leaf = std::get_if<field::Formula>(&field[object.id])) {
             formulas.push_back(object.id);
             formula_values.push_back(leaf->value);
+        }
+    }
+    for (const auto& [object, variables] : minima) {
+        const FieldId id = plan.objects[object].id;
+        const graph::NodeId value = formula(object)->value;
+        for (const auto& [variable, number] : variables) {
+            const graph::NodeId weight = passes::differentiate(field.graph, value, variable);
+            minima_weights[id][variable] = passes::run(field.graph, std::array{weight})[0];
         }
     }
     edges = may_be_undefined(field.graph, formula_values);
@@ -80,7 +183,7 @@ void FieldCode::differentiate() {
 void FieldCode::differentiate_twice() {
     for (std::size_t i = 0; i < plan.objects.size(); ++i) {
         const Object& object = plan.objects[i];
-        if (!formula(i) || is_distance(i) || object.blend) continue;
+        if (!formula(i) || is_distance(i) || object.blend || object.is_member) continue;
         const auto rows = passes::gradients(field.graph, gradients.at(object.id));
         hessians[object.id] = {rows[0][0], rows[1][1], rows[2][2],
                                rows[0][1], rows[0][2], rows[1][2]};
@@ -96,6 +199,7 @@ void FieldCode::find_coefficients() {
     for (std::size_t i = 0; i < plan.objects.size(); ++i) {
         const Object& object = plan.objects[i];
         if (!formula(i) || is_distance(i) || object.blend || !object.cells.empty()) continue;
+        if (minima.contains(i)) continue;
         leaves.push_back(i);
     }
     if (leaves.size() > most_leaves) return;
@@ -129,6 +233,16 @@ void FieldCode::make_cheap() {
     for (auto& [id, rows] : turns) std::ranges::for_each(rows, add);
     for (auto& [id, rates] : wall_rates) std::ranges::for_each(rates, add);
     for (auto& [id, gradient] : displacements) add(gradient);
+    for (auto& [id, list] : minima_weights) {
+        for (auto& [variable, weight] : list) places.push_back(&weight);
+    }
+    for (CodedFamily& family : families) {
+        std::ranges::for_each(family.gradients, add);
+        for (MemberKind& kind : family.it.kinds) {
+            places.push_back(&kind.value);
+            if (kind.colour) add(*kind.colour);
+        }
+    }
     for (auto& [id, list] : weights) {
         for (graph::NodeId& weight : list) places.push_back(&weight);
     }
@@ -157,6 +271,24 @@ ExpressionWriter FieldCode::writer(const std::string& p) {
 
 void FieldCode::finish(const ExpressionWriter& writer) {
     out.operator_parts.insert(writer.operator_parts().begin(), writer.operator_parts().end());
+}
+
+FamilyTable family_table(const FieldCode& code, const CodedFamily& family) {
+    FamilyTable table;
+    table.kinds = family.tapes;
+    table.texels = family.texels;
+    table.first_object = family.first_object;
+    table.cells = family.cells;
+    std::vector<graph::NodeId> numbers;
+    for (const Member& member : family.it.members) {
+        table.members.push_back(member.kind);
+        table.sizes.push_back(member.numbers.size());
+        numbers.insert(numbers.end(), member.numbers.begin(), member.numbers.end());
+    }
+    table.is_smooth = family.it.width.has_value();
+    if (family.it.width) numbers.push_back(*family.it.width);
+    table.numbers = eval::make_tape(code.field.graph, numbers);
+    return table;
 }
 
 WayIn way_in(const FieldCode& code, const std::vector<FieldId>& cells, const std::string& indent) {

@@ -2,10 +2,13 @@
 // What the writers of a field's functions share. Internal to the library.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "shader/expression_glsl.h"
 #include "shader/field_glsl.h"
@@ -19,11 +22,39 @@ using Gradient = std::array<graph::NodeId, 3>;
 /// Second derivatives: by x, y and z twice, by x and y, by x and z, by y and z.
 using Hessian = std::array<graph::NodeId, 6>;
 
+/// A family with what its functions are made of.
+struct CodedFamily {
+    Family it;
+    std::vector<Gradient> gradients;  ///< of the kinds
+    std::size_t first_object = 0;
+    std::vector<field::FieldId> cells;                  ///< around it, outermost first
+    std::size_t texels = 0;                             ///< of a row
+    std::array<std::string, family_head_size> heads{};  ///< how GLSL spells them
+    std::vector<FamilyTable::Kind> tapes;               ///< of the kinds
+
+    std::size_t kind_place() const { return 4 * texels - 2; }
+    std::size_t last_object() const { return first_object + it.members.size() - 1; }
+    /// The first texel of an object's row.
+    std::string row(const std::string& object) const {
+        return fmt::format("int({}) + {} * ({} - {})", heads.back(), texels, object, first_object);
+    }
+    bool has_colours() const {
+        return std::ranges::any_of(it.kinds, [](const MemberKind& kind) { return !!kind.colour; });
+    }
+};
+
 /// A field with all the derivatives that its program needs, and the code as it grows.
 struct FieldCode {
     field::Field field;
     Demands demands;
+    std::map<field::FieldId, Family> gathered;  ///< the unions that are families
     FieldPlan plan;
+    /// As the plan numbers them, and then those of the minima in formulas.
+    std::vector<CodedFamily> families;
+    /// By object, for formulas that are given by their outlines: the variables of minima and the
+    /// numbers of their families.
+    std::map<std::size_t, std::map<graph::VariableId, std::size_t>> minima;
+    std::map<field::FieldId, std::map<graph::VariableId, graph::NodeId>> minima_weights;
     std::map<field::FieldId, Gradient> gradients;                  ///< of formulas
     std::map<field::FieldId, Hessian> hessians;                    ///< of those that ask for one
     std::map<field::FieldId, std::array<Gradient, 3>> turns;       ///< of the points of cells
@@ -67,6 +98,9 @@ struct FieldCode {
 
 private:
     void spell_out_orbits();
+    void code_family(Family of, const std::vector<field::FieldId>& cells, std::size_t first_object);
+    void code_families();
+    void code_minima();
     void differentiate();
     void differentiate_twice();
     void find_coefficients();
@@ -79,6 +113,16 @@ void write_leaves(FieldCode& code);
 /// The functions of an object that is a polynomial along the ray: coefficients_i(c, e), those of s
 /// for the point c + s e; leaf_i(s).
 void write_polynomial(FieldCode& code, std::size_t object);
+
+/// For each minimum in the value of an object: statements for its value and, on demand, its
+/// gradient, before what is written of the object's formula.
+std::string minima_statements(const FieldCode& code, std::size_t object, ExpressionWriter& writer,
+                              bool gradients);
+
+/// For each family: member_i and member_gradient_i by the row of a member, member_colour_i if one
+/// has a colour; and family_i, the answer of the union, or minimum_i, with or without its gradient.
+void write_families(FieldCode& code);
+FamilyTable family_table(const FieldCode& code, const CodedFamily& family);
 
 /// For each of plan.cells: cell_i (point, direction and way to the wall), cell_back_i (a gradient
 /// in the cell's coordinates as one outside), cell_index_i.

@@ -45,6 +45,7 @@ FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& 
     FieldCode code(std::move(field), demands, precision);
     if (demands.bricks) code.out.bricks = std::move(bricks);
     if (!code.out.bricks.empty()) code.needs("brick/brick.glsl");
+    write_families(code);
     write_leaves(code);
     write_cells(code);
     write_blends(code);

@@ -16,6 +16,7 @@ struct Demands {
     bool intervals = false;    ///< enclosures of the tree over intervals of a ray
     bool polynomials = false;  ///< leaves that are polynomials along a ray of finite length
     bool bricks = false;       ///< bounds brick by brick, where they are known
+    bool text_only = false;    ///< no families
 };
 
 /// Generated code, and what it needs.
@@ -28,7 +29,8 @@ struct FieldGlsl {
     std::vector<FieldValue> values;
     std::vector<field::FieldId> bricks;  ///< that are read brick by brick, in the order of grids
     eval::Tape expressions;              ///< those among the values, in their order
-    bool needs_differences = false;      ///< for gradients
+    std::vector<FamilyTable> families{};
+    bool needs_differences = false;  ///< for gradients
     bool has_colours = false;
     bool has_edges = false;  ///< a formula may be undefined somewhere
     /// There are iterations, and answers do not depend on the direction: `free` is the radius of a

@@ -28,11 +28,15 @@ struct FieldNumbers {
     double brick_seconds = 0;                   ///< what finding them took; not compared
     /// The origin of the program's coordinates in the world.
     std::array<double, 3> origin{};
+    /// The texels of families (shader/family_table.h), four numbers each; nothing without families.
+    std::shared_ptr<const std::vector<float>> families;
 
     friend bool operator==(const FieldNumbers& a, const FieldNumbers& b) {
-        const bool same_bricks =
-            a.bricks == b.bricks || (a.bricks && b.bricks && *a.bricks == *b.bricks);
-        return a.values == b.values && a.origin == b.origin && same_bricks;
+        const auto same = [](const auto& one, const auto& other) {
+            return one == other || (one && other && *one == *other);
+        };
+        return a.values == b.values && a.origin == b.origin && same(a.bricks, b.bricks) &&
+               same(a.families, b.families);
     }
 };
 

@@ -12,6 +12,7 @@ using field::FieldId;
 
 struct Planner {
     const field::Field& field;
+    const std::map<FieldId, Family>& families;
     FieldPlan plan{};
     std::vector<FieldId> cells{};  ///< above the node that is looked at
     std::optional<std::size_t> blend{};
@@ -20,6 +21,7 @@ struct Planner {
         const field::Node& node = field[id];
         const std::vector<FieldId> below = children(node);
         if (below.empty()) return add_object(id);
+        if (families.contains(id)) return add_family(id);
         const bool is_blend = std::holds_alternative<field::Blend>(node);
         if (is_blend && std::ranges::count(plan.mixes, id) == 0) plan.mixes.push_back(id);
         const bool outermost = is_blend && !blend;
@@ -37,6 +39,13 @@ struct Planner {
         if (outermost) blend.reset();
     }
 
+    void add_family(FieldId id) {
+        plan.families.push_back({id, cells, plan.objects.size()});
+        for (const FieldId member : leaves(field, id)) {
+            plan.objects.push_back({member, cells, {}, true});
+        }
+    }
+
     void add_object(FieldId id) {
         plan.objects.push_back({id, cells, blend});
         const auto* iteration = std::get_if<field::Iteration>(&field[id]);
@@ -52,8 +61,8 @@ std::size_t FieldPlan::cells_number(FieldId id) const {
     return static_cast<std::size_t>(std::ranges::find(cells, id) - cells.begin());
 }
 
-FieldPlan field_plan(const field::Field& field) {
-    Planner planner{field};
+FieldPlan field_plan(const field::Field& field, const std::map<FieldId, Family>& families) {
+    Planner planner{field, families};
     planner.visit(field.root);
     return std::move(planner.plan);
 }

@@ -42,7 +42,7 @@ void write_gradients(FieldCode& code) {
     };
     for (std::size_t i = 0; i < code.plan.objects.size(); ++i) {
         const Object& object = code.plan.objects[i];
-        if (object.blend) continue;
+        if (object.blend || object.is_member) continue;
         const std::string is_this = fmt::format("object == {}", i);
         if (code.formula(i)) {
             gradients +=
@@ -53,6 +53,14 @@ void write_gradients(FieldCode& code) {
                 fmt::format("bool inside;\n        return value_{}({{}}, inside);", i));
             add_difference(is_this);
         }
+    }
+    for (std::size_t i = 0; i < code.plan.families.size(); ++i) {
+        const CodedFamily& family = code.families[i];
+        gradients += exact_gradient(
+            code,
+            fmt::format("object >= {} && object <= {}", family.first_object, family.last_object()),
+            family.cells,
+            fmt::format("g = member_gradient_{}({{}}, {});", i, family.row("object")));
     }
     for (std::size_t i = 0; i < code.plan.blends.size(); ++i) {
         const OuterBlend& blend = code.plan.blends[i];

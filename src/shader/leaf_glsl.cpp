@@ -38,22 +38,38 @@ void write_iteration(FieldCode& code, std::size_t i, const field::Iteration& ite
     code.needs("leaf/iteration.glsl");
 }
 
+/// What a value's minima add to its gradient.
+std::string gradients_of_minima(const FieldCode& code, std::size_t i, ExpressionWriter& w) {
+    const auto found = code.minima.find(i);
+    if (found == code.minima.end()) return {};
+    std::string text;
+    for (const auto& [variable, family] : found->second) {
+        const NodeId weight = code.minima_weights.at(code.plan.objects[i].id).at(variable);
+        text += w.statements(std::array{weight}, "    ");
+        text += fmt::format("    g += {} * g_{};\n", w.spelling(weight), family);
+    }
+    return text;
+}
+
 /// Value and gradient in one function.
 void write_value_and_gradient(FieldCode& code, std::size_t i, const field::Formula& leaf) {
     ExpressionWriter w = code.writer();
     const Gradient& g = code.gradients.at(code.plan.objects[i].id);
     const std::array roots{leaf.value, g[0], g[1], g[2]};
     code.out.code += fmt::format("real value_{}(real3 p, out real3 g) {{\n", i);
+    code.out.code += minima_statements(code, i, w, true);
     code.out.code += w.statements(roots, "    ");
-    code.out.code +=
-        fmt::format("    g = real3({}, {}, {});\n    return {};\n}}\n", w.spelling(roots[1]),
-                    w.spelling(roots[2]), w.spelling(roots[3]), w.spelling(roots[0]));
+    code.out.code += fmt::format("    g = real3({}, {}, {});\n", w.spelling(roots[1]),
+                                 w.spelling(roots[2]), w.spelling(roots[3]));
+    code.out.code += gradients_of_minima(code, i, w);
+    code.out.code += fmt::format("    return {};\n}}\n", w.spelling(roots[0]));
     code.finish(w);
 }
 
 void write_distance(FieldCode& code, std::size_t i, const field::Formula& leaf) {
     ExpressionWriter w = code.writer();
     code.out.code += fmt::format("real distance_{}(real3 p) {{\n", i);
+    code.out.code += minima_statements(code, i, w, false);
     code.out.code += w.statements(std::array{leaf.value}, "    ");
     code.out.code += fmt::format("    return {};\n}}\n", w.spelling(leaf.value));
     code.finish(w);
@@ -126,6 +142,7 @@ void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf,
 
 void write_leaves(FieldCode& code) {
     for (std::size_t i = 0; i < code.plan.objects.size(); ++i) {
+        if (code.plan.objects[i].is_member) continue;
         if (const auto* iteration = code.iteration(i)) {
             write_iteration(code, i, *iteration);
         } else if (code.is_distance(i)) {

@@ -78,6 +78,7 @@ bool goes_by_balls(const FieldGlsl& generated, const Tracer& tracer) {
 /// single precision they tell nothing of what is as small as coordinates are recentred for.
 Demands demands(const Tracer& tracer, const Features& features) {
     Demands result = tracer.demands;
+    result.text_only = features.operands_as_text;
     const bool bounded = features.bounds_sphere || features.bounds_box;
     if (features.told_depth || !bounded || features.precision == Precision::recentred) {
         result.polynomials = false;
@@ -273,6 +274,7 @@ ProgramSource program_source(const field::Field& field, const Features& features
             std::move(generated.bricks),
             skips_bricks(features),
             std::move(generated.polynomials),
+            std::move(generated.families),
             features.precision};
 }
 

@@ -11,6 +11,7 @@
 
 #include "eval/tape.h"
 #include "field/field.h"
+#include "shader/family_table.h"
 #include "shader/precision.h"
 
 namespace shader {
@@ -78,6 +79,8 @@ struct Features {
     std::vector<field::FieldId> bricks{};
     /// Skip what of rays lies in bricks that hold nothing of the scene.
     bool skip_empty_bricks = false;
+    /// Also for measuring: the operands of large unions as text, one after the other.
+    bool operands_as_text = false;
     Outputs outputs;
 
     friend bool operator==(const Features&, const Features&) = default;
@@ -90,11 +93,13 @@ struct FieldValue {
         inverse_lipschitz,  ///< 1 / the Lipschitz constant over the region; 0 if unbounded
         second_derivative,  ///< sup |d2f/dt2| of the leaf over the region; negative if unbounded
         first_order,        ///< 1 where the leaf is stiff: the first-order step is used, else 0
+        family,             ///< the FamilyHead that `component` numbers, of one of the families
     };
     What what = What::expression;
     field::FieldId node{};  ///< a leaf or a blend, unless it is an expression
     /// The cells that the node is in, outermost first: the region is seen in their coordinates.
     std::vector<field::FieldId> cells{};
+    std::size_t family = 0, component = 0;
 };
 
 struct ProgramSource {
@@ -115,6 +120,7 @@ struct ProgramSource {
     bool scene_bricks = false;
     /// Objects (leaves from left to right) that are walked as polynomials along the ray.
     std::set<std::size_t> polynomials{};
+    std::vector<FamilyTable> families{};
     /// Says in which numbers the uniform blocks are, and about which origin.
     Precision precision = Precision::single;
 

@@ -79,7 +79,11 @@ private:
     std::string answer(FieldId, const field::Iteration&, const Place& place, std::string&) {
         return leaf(place);
     }
-    std::string answer(FieldId, const field::Union& node, const Place& place, std::string&) {
+    std::string answer(FieldId id, const field::Union& node, const Place& place, std::string&) {
+        if (code_.gathered.contains(id)) {
+            object_ += leaves(code_.field, id).size();
+            return fmt::format("family_{}({})", family_++, place.p);
+        }
         const std::string a = write(node.a, place), b = write(node.b, place);
         return fmt::format("answer_union({}, {})", a, b);
     }
@@ -137,7 +141,7 @@ private:
     bool in_part_ = false;
     int part_count_ = 0;
     std::vector<int> watched_;
-    std::size_t object_ = 0, blend_ = 0;
+    std::size_t object_ = 0, blend_ = 0, family_ = 0;
     int count_ = 0, cells_ = 0;
 };
 

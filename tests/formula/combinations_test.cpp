@@ -51,8 +51,8 @@ TEST(Combinations, smooth_union_blends_within_k) {
     check("smooth_union(sphere(1), box(), k = x)",
           "1:36: the argument 'k' of 'smooth_union' must not depend on x, y or z");
     check("smooth_union(sphere(1))",
-          "1:1: an argument of 'smooth_union' is missing; it is called 'smooth_union(F, G, k = "
-          "0.25)'");
+          "1:1: an argument of 'smooth_union' is missing; it is called 'smooth_union(F, G, ..., "
+          "k = 0.25)'");
 }
 
 TEST(Combinations, translate_moves) {

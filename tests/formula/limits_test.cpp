@@ -54,17 +54,17 @@ TEST(Limits, high_trees_without_brackets_are_one_error) {
 }
 
 TEST(Limits, a_graph_has_no_more_nodes_than_the_limit) {
-    std::string text;
-    for (int i = 1; i < 9000; ++i) text += std::to_string(i) + "x+";
+    std::string text = "f(a) = " + repeat("sin(", 15) + "a*x" + repeat(")", 15) + "\n";
+    for (int i = 1; i < 8000; ++i) text += "f(" + std::to_string(i) + ")+";
     EXPECT_NE(errors_of(text + "x")
-                  .find(": the formula needs more than 20,000 operations; make it shorter"),
+                  .find(": the formula needs more than 100,000 operations; make it shorter"),
               std::string::npos);
     std::string fields = "a0 = mandelbulb()\n";
-    for (int i = 0; i < 900; ++i) {
+    for (int i = 0; i < 1400; ++i) {
         fields += "a" + std::to_string(i + 1) + " = a" + std::to_string(i) +
                   " | translate(mandelbulb(), " + std::to_string(i + 1) + ", 0, 0)\n";
     }
-    EXPECT_NE(errors_of(fields + "a900").find("the formula needs more than 20,000 operations"),
+    EXPECT_NE(errors_of(fields + "a1400").find("the formula needs more than 100,000 operations"),
               std::string::npos);
 }
 

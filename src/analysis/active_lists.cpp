@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/active_lists.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include <glm/glm.hpp>
+
+#include "eval/batch.h"
+
+namespace analysis {
+namespace {
+
+using List = std::vector<std::uint32_t>;
+
+/// Blocks of cells along the longest axis of the box; each is divided by halves on its own.
+constexpr int blocks_along = 4;
+
+/// How often a block is halved: cells get about a third of the distance between neighbours among
+/// the operands, where these are spread evenly.
+int halvings(std::size_t operands) {
+    const double cells = 3 * std::cbrt(static_cast<double>(operands));
+    return std::clamp(static_cast<int>(std::lround(std::log2(cells / blocks_along))), 1, 4);
+}
+
+/// The values of operands at the centres of cells.
+class Values {
+public:
+    explicit Values(const Operands& operands) : operands_(operands) {
+        std::size_t variables = 3;
+        for (const Operands::Kind& kind : operands.kinds) {
+            eval::load_parameters<double>(*kind.value, {}, registers_.emplace_back());
+            for (const graph::VariableId id : kind.variables) {
+                variables = std::max(variables, index(id) + 1);
+            }
+        }
+        columns_.resize(variables);
+    }
+
+    /// Row after row, one for each point, the values of the operands in the list.
+    const std::vector<double>& at(std::span<const glm::dvec3> points, const List& list) {
+        result_.resize(points.size() * list.size());
+        for (std::size_t kind = 0; kind < operands_.kinds.size(); ++kind) {
+            of_kind(kind, points, list);
+        }
+        return result_;
+    }
+
+private:
+    void of_kind(std::size_t number, std::span<const glm::dvec3> points, const List& list) {
+        const Operands::Kind& kind = operands_.kinds[number];
+        places_.clear();
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (operands_.kind[list[i]] == number) places_.push_back(i);
+        }
+        if (places_.empty()) return;
+        const std::size_t row = places_.size(), size = row * points.size();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            columns_[axis].clear();
+            for (const glm::dvec3& point : points) {
+                columns_[axis].insert(columns_[axis].end(), row, point[static_cast<int>(axis)]);
+            }
+        }
+        for (std::size_t k = 0; k < kind.variables.size(); ++k) {
+            std::vector<double>& column = columns_[index(kind.variables[k])];
+            column.resize(size);
+            for (std::size_t i = 0; i < row; ++i) {
+                column[i] = kind.numbers[k][operands_.place[list[places_[i]]]];
+            }
+            for (std::size_t i = row; i < size; ++i) column[i] = column[i - row];
+        }
+        std::vector<std::span<const double>> variables(columns_.begin(), columns_.end());
+        found_.resize(size);
+        const std::array roots{std::span(found_)};
+        eval::evaluate_points(*kind.value, registers_[number], variables, roots, scratch_);
+        for (std::size_t i = 0; i < size; ++i) {
+            result_[i / row * list.size() + places_[i % row]] = found_[i];
+        }
+    }
+
+    const Operands& operands_;
+    std::vector<std::vector<double>> registers_;  ///< of the kinds
+    std::vector<std::vector<double>> columns_;    ///< by variable
+    std::vector<std::size_t> places_;             ///< in the list, of one kind
+    std::vector<double> found_, result_, scratch_;
+};
+
+/// Those that can be the smallest somewhere within the reach of the point with these values.
+List nearest(const List& list, std::span<const double> values, double reach) {
+    double least = INFINITY;
+    for (const double value : values) least = std::fmin(least, value);
+    List kept;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        // Values that are undefined stay, whatever they are.
+        if (!(values[i] > least + 2 * reach)) kept.push_back(list[i]);
+    }
+    return kept;
+}
+
+/// The polynomial smooth minimum (field::smooth_union).
+double smooth_minimum(double a, double b, double width) {
+    const double overlap = std::fmax(width - std::abs(a - b), 0) / width;
+    return std::fmin(a, b) - overlap * overlap * width / 4;
+}
+
+/// Those that a smooth minimum is made of, one after the other, within the reach of the point: what
+/// is farther than the width from the minimum so far changes nothing, and if it is so much smaller
+/// then all before it change nothing. The minimum so far is 1-Lipschitz as well.
+List blended(const List& list, std::span<const double> values, double reach, double width) {
+    List kept;
+    double least = INFINITY;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (values[i] >= least + width + 2 * reach) continue;
+        if (values[i] + width + 2 * reach <= least) kept.clear();
+        least = kept.empty() ? values[i] : smooth_minimum(least, values[i], width);
+        kept.push_back(list[i]);
+    }
+    return kept;
+}
+
+class Divider {
+public:
+    Divider(const Operands& operands, const Region& region, std::optional<double> width,
+            double margin, int levels)
+        : values_(operands), region_(region), width_(width), margin_(margin), levels_(levels) {}
+
+    std::vector<List> block(const glm::dvec3& low, double size, const List& all) {
+        const int side = 1 << levels_;
+        cells_.assign(static_cast<std::size_t>(side) * side * side, {});
+        divide(all, low, size, {0, 0, 0}, 0);
+        return std::move(cells_);
+    }
+
+private:
+    void divide(const List& list, const glm::dvec3& low, double size, const glm::ivec3& place,
+                int level) {
+        if (!clip(region_, {low, low + size})) return;
+        if (level == levels_) {
+            const int side = 1 << levels_;
+            cells_[static_cast<std::size_t>((place.z * side + place.y) * side + place.x)] = list;
+            return;
+        }
+        const double half = 0.5 * size;
+        std::array<glm::dvec3, 8> centres;
+        for (int i = 0; i < 8; ++i) {
+            centres[static_cast<std::size_t>(i)] = low + half * (corner(i) + 0.5);
+        }
+        const std::vector<double> values = values_.at(centres, list);
+        const double reach = 0.5 * std::sqrt(3.0) * half + margin_;
+        for (int i = 0; i < 8; ++i) {
+            const std::span row =
+                std::span(values).subspan(static_cast<std::size_t>(i) * list.size(), list.size());
+            const List kept =
+                width_ ? blended(list, row, reach, *width_) : nearest(list, row, reach);
+            divide(kept, low + half * corner(i), half, 2 * place + glm::ivec3(corner(i)),
+                   level + 1);
+        }
+    }
+    static glm::dvec3 corner(int i) { return {i & 1, (i >> 1) & 1, i >> 2}; }
+
+    Values values_;
+    Region region_;
+    std::optional<double> width_;
+    double margin_;
+    int levels_;
+    std::vector<List> cells_;
+};
+
+}  // namespace
+
+ActiveLists active_lists(const Operands& operands, const Region& region,
+                         std::optional<double> width) {
+    const Cell box = bounding_cell(region);
+    const glm::dvec3 extent = box.high - box.low;
+    const double longest = std::max({extent.x, extent.y, extent.z});
+    const int levels = halvings(operands.kind.size());
+    const int side = 1 << levels;
+    ActiveLists result;
+    result.origin = box.low;
+    result.size = longest / (blocks_along * side);
+    glm::ivec3 blocks;
+    for (int i = 0; i < 3; ++i) {
+        blocks[i] = std::max(1, static_cast<int>(std::ceil(extent[i] / longest * blocks_along)));
+    }
+    result.count = side * blocks;
+
+    List all(operands.kind.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint32_t>(i);
+    const double block_size = result.size * side;
+    std::vector<std::vector<List>> found(static_cast<std::size_t>(blocks.x * blocks.y * blocks.z));
+    std::atomic<int> next = 0;
+    const auto work = [&] {
+        Divider divider(operands, region, width, 1e-6 * longest, levels);
+        for (int i = next++; i < std::ssize(found); i = next++) {
+            const glm::dvec3 place(i % blocks.x, i / blocks.x % blocks.y,
+                                   i / (blocks.x * blocks.y));
+            found[static_cast<std::size_t>(i)] =
+                divider.block(box.low + block_size * place, block_size, all);
+        }
+    };
+    std::thread other(work);
+    work();
+    other.join();
+
+    result.begins.push_back(0);
+    for (int z = 0; z < result.count.z; ++z) {
+        for (int y = 0; y < result.count.y; ++y) {
+            for (int x = 0; x < result.count.x; ++x) {
+                const int block = (z / side * blocks.y + y / side) * blocks.x + x / side;
+                const int cell = (z % side * side + y % side) * side + x % side;
+                const List& list =
+                    found[static_cast<std::size_t>(block)][static_cast<std::size_t>(cell)];
+                result.operands.insert(result.operands.end(), list.begin(), list.end());
+                result.begins.push_back(static_cast<std::uint32_t>(result.operands.size()));
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace analysis
