@@ -160,7 +160,8 @@ void FieldCode::differentiate() {
         }
     }
     edges = may_be_undefined(field.graph, formula_values);
-    breaks = may_break(field.graph, formula_values);
+    // A minimum has kinks where the nearest operand changes.
+    breaks = !minima.empty() || may_break(field.graph, formula_values);
     const auto found = passes::gradients(field.graph, formula_values);
     for (std::size_t i = 0; i < formulas.size(); ++i) gradients[formulas[i]] = found[i];
     for (const FieldId id : plan.cells) {

@@ -24,7 +24,7 @@ TEST(RepeatedField, is_the_union_of_its_copies) {
 
 TEST(RepeatedField, may_choose_by_the_number) {
     const std::string text =
-        "thing(i) = translate(if(mod(i, 2) < 1, box(0.1), sphere(0.1)), "
+        "thing(i) = translate(if(mod(i, 2) < 1, box(0.1, 0.1, 0.1), sphere(0.1)), "
         "(i, 0, 0))\nunion(thing, 4)";
     EXPECT_DOUBLE_EQ(value_at(text, {1, 0.2, 0}), 0.1);
     EXPECT_DOUBLE_EQ(value_at(text, {2, 0.1, 0}), 0);

@@ -23,7 +23,7 @@ render::Still drawn(const scene::Document& document, bool as_text) {
         ADD_FAILURE() << document.formula << (formula ? "" : formula.problems()[0].message);
         return {};
     }
-    shader::Features features = compile::features(document, everything);
+    shader::Features features = compile::features(*formula, document, everything);
     features.operands_as_text = as_text;
     const shader::ProgramSource source = shader::program_source(formula->field, features);
     EXPECT_EQ(source.families.empty(), as_text) << document.formula;
@@ -72,9 +72,9 @@ TEST(Families, look_as_the_same_operands_do_as_text) {
     std::mt19937 random(seed);
     const std::vector<Case> cases{
         {"sphere({a})", "union({})"},
-        {"rotate(box({a}, 0.1, 0.06), {v}, 360 {u})", "union({})"},
+        {"rotate(box({a}, 0.1, 0.06), {v}, 360 * {u})", "union({})"},
         {"sphere({a})", "smooth_union({}, 0.1)"},
-        {"torus(0.15, 0.4 {a})", "smooth_union({}, k = 0.3)"},
+        {"torus(0.15, 0.4 * {a})", "smooth_union({}, k = 0.3)"},
         {"sphere({a})", "box(0.9, 0.8, 0.7) \\ union({})"},
         {"sphere({a})", "smooth_difference(box(0.9, 0.8, 0.7), union({}), 0.05)"},
         {"sphere({a})", "smooth_difference(sphere(1), smooth_union({}, k = 0.1), 0.05)"},
@@ -85,7 +85,7 @@ TEST(Families, look_as_the_same_operands_do_as_text) {
         {"sphere({a})", "repeat(scale(union({}), 0.5), (1, 1, 1))"},
         {"sphere({a})", "colour(repeat_polar(smooth_union({}, 0.1), 3), y)"},
         {"sphere({a})", "displace(smooth_union({}, 0.1), 0.02 sin(20x))"},
-        {"sphere({a})", "x + y + z = 0.2 & union({})"},
+        {"sphere(3 * {a})", "x + y + z = 0.2 & union({})"},
     };
     for (const auto& [form, whole] : cases) {
         std::string list;
@@ -93,13 +93,15 @@ TEST(Families, look_as_the_same_operands_do_as_text) {
         query.formula = operands(random, 40, form, list);
         query.formula += fmt::format(fmt::runtime(whole), list);
         query.bounds = sphere_bounds(1.6);
+        query.camera = camera({2.2, 1.8, 3.6});
         const scene::Document document = document_of(query);
         const render::Still data = drawn(document, false), text = drawn(document, true);
         int others = 0, different_colours = 0;
         for (int j = 0; j < text.geometry.height; ++j) {
             for (int i = 0; i < text.geometry.width; ++i) {
+                const bool hit = status(text, i, j) == shader::Status::hit;
                 const bool same = status(data, i, j) == status(text, i, j) &&
-                                  data.geometry.at(i, j)[3] == text.geometry.at(i, j)[3];
+                                  (!hit || data.geometry.at(i, j)[3] == text.geometry.at(i, j)[3]);
                 const double a = depth(data, i, j), b = depth(text, i, j);
                 if (!same || (std::isfinite(b) && std::abs(a - b) > 1e-5 * b)) ++others;
                 for (int k = 0; k < 3; ++k) {
@@ -111,7 +113,7 @@ TEST(Families, look_as_the_same_operands_do_as_text) {
         // Rays that graze an edge are told apart by the last bit.
         EXPECT_LE(others, 4) << "seed " << seed << ": " << query.formula;
         EXPECT_LE(different_colours, 12) << "seed " << seed << ": " << query.formula;
-        EXPECT_GT(count(text, shader::Status::hit), 500) << query.formula;
+        EXPECT_GT(count(text, shader::Status::hit), 300) << query.formula;
     }
 }
 
@@ -119,8 +121,9 @@ TEST(Families, move_with_parameters) {
     std::mt19937 random(5);
     std::string list;
     Query query;
+    query.camera = camera({2.6, 2.1, 4.2});
     query.formula = "param s = 0 in [0, 1]\n" +
-                    operands(random, 30, "translate(sphere({a} + s/10), (0, s {u}, 0))", list) +
+                    operands(random, 30, "translate(sphere({a} + s/10), (0, s * {u}, 0))", list) +
                     "union(" + list + ")";
     scene::Document document = document_of(query);
     const auto formula = compile::compile_formula(document.formula);
@@ -132,7 +135,7 @@ TEST(Families, move_with_parameters) {
     EXPECT_FALSE(before == compile::field_numbers(*formula, source, document));
     const render::Still data = drawn(document, false), text = drawn(document, true);
     EXPECT_NEAR(count(data, shader::Status::hit), count(text, shader::Status::hit), 3);
-    EXPECT_GT(count(text, shader::Status::hit), 500);
+    EXPECT_GT(count(text, shader::Status::hit), 300);
 }
 
 TEST(Families, are_right_beyond_their_grid) {
@@ -141,7 +144,7 @@ TEST(Families, are_right_beyond_their_grid) {
     Query query;
     query.formula = operands(random, 30, "sphere({a})", list) + "scale(union(" + list + "), 3)";
     query.bounds = no_bounds();
-    query.camera = camera({8, 6, 12});
+    query.camera = camera({6, 4.5, 9});
     const scene::Document document = document_of(query);
     const render::Still data = drawn(document, false), text = drawn(document, true);
     int others = 0;
@@ -153,7 +156,7 @@ TEST(Families, are_right_beyond_their_grid) {
         }
     }
     EXPECT_LE(others, 2);
-    EXPECT_GT(count(text, shader::Status::hit), 500);
+    EXPECT_GT(count(text, shader::Status::hit), 300);
 }
 
 }  // namespace
