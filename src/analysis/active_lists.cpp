@@ -19,8 +19,9 @@ using List = std::vector<std::uint32_t>;
 /// Blocks of cells along the longest axis of the box; each is divided by halves on its own.
 constexpr int blocks_along = 4;
 
-/// How often a block is halved: cells get about a third of the distance between neighbours among
-/// the operands, where these are spread evenly.
+/// How often a block is halved at most: cells get about a third of the distance between neighbours
+/// among the operands, where these are spread evenly. Cells of half the size have shorter lists,
+/// but were no faster, since more of what is fetched is new.
 int halvings(std::size_t operands) {
     const double cells = 3 * std::cbrt(static_cast<double>(operands));
     return std::clamp(static_cast<int>(std::lround(std::log2(cells / blocks_along))), 1, 4);
@@ -91,7 +92,7 @@ private:
 /// Those that can be the smallest somewhere within the reach of the point with these values.
 List nearest(const List& list, std::span<const double> values, double reach) {
     double least = INFINITY;
-    for (const double value : values) least = std::fmin(least, value);
+    for (const double value : values) least = value < least ? value : least;
     List kept;
     for (std::size_t i = 0; i < list.size(); ++i) {
         // Values that are undefined stay, whatever they are.
@@ -102,8 +103,8 @@ List nearest(const List& list, std::span<const double> values, double reach) {
 
 /// The polynomial smooth minimum (field::smooth_union).
 double smooth_minimum(double a, double b, double width) {
-    const double overlap = std::fmax(width - std::abs(a - b), 0) / width;
-    return std::fmin(a, b) - overlap * overlap * width / 4;
+    const double overlap = std::max(width - std::abs(a - b), 0.0) / width;
+    return std::min(a, b) - overlap * overlap * width / 4;
 }
 
 /// Those that a smooth minimum is made of, one after the other, within the reach of the point: what
@@ -121,28 +122,30 @@ List blended(const List& list, std::span<const double> values, double reach, dou
     return kept;
 }
 
+/// A block's lists and, of each of its cells, which of them is its own.
+struct Block {
+    std::vector<List> lists{{}};  ///< the first one is that of cells outside of the region
+    std::vector<std::uint32_t> cells;
+};
+
 class Divider {
 public:
     Divider(const Operands& operands, const Region& region, std::optional<double> width,
             double margin, int levels)
         : values_(operands), region_(region), width_(width), margin_(margin), levels_(levels) {}
 
-    std::vector<List> block(const glm::dvec3& low, double size, const List& all) {
+    Block block(const glm::dvec3& low, double size, const List& all) {
         const int side = 1 << levels_;
-        cells_.assign(static_cast<std::size_t>(side) * side * side, {});
+        block_ = {};
+        block_.cells.assign(static_cast<std::size_t>(side) * side * side, 0);
         divide(all, low, size, {0, 0, 0}, 0);
-        return std::move(cells_);
+        return std::move(block_);
     }
 
 private:
-    void divide(const List& list, const glm::dvec3& low, double size, const glm::ivec3& place,
-                int level) {
+    void divide(List list, const glm::dvec3& low, double size, const glm::ivec3& place, int level) {
         if (!clip(region_, {low, low + size})) return;
-        if (level == levels_) {
-            const int side = 1 << levels_;
-            cells_[static_cast<std::size_t>((place.z * side + place.y) * side + place.x)] = list;
-            return;
-        }
+        if (level == levels_ || list.size() == 1) return put(std::move(list), place, level);
         const double half = 0.5 * size;
         std::array<glm::dvec3, 8> centres;
         for (int i = 0; i < 8; ++i) {
@@ -153,10 +156,21 @@ private:
         for (int i = 0; i < 8; ++i) {
             const std::span row =
                 std::span(values).subspan(static_cast<std::size_t>(i) * list.size(), list.size());
-            const List kept =
-                width_ ? blended(list, row, reach, *width_) : nearest(list, row, reach);
-            divide(kept, low + half * corner(i), half, 2 * place + glm::ivec3(corner(i)),
-                   level + 1);
+            divide(width_ ? blended(list, row, reach, *width_) : nearest(list, row, reach),
+                   low + half * corner(i), half, 2 * place + glm::ivec3(corner(i)), level + 1);
+        }
+    }
+    /// Gives the list to all smallest cells of the cell.
+    void put(List list, const glm::ivec3& place, int level) {
+        const int side = 1 << levels_, part = 1 << (levels_ - level);
+        const auto number = static_cast<std::uint32_t>(block_.lists.size());
+        block_.lists.push_back(std::move(list));
+        const glm::ivec3 from = part * place;
+        for (int z = from.z; z < from.z + part; ++z) {
+            for (int y = from.y; y < from.y + part; ++y) {
+                const auto row = block_.cells.begin() + (z * side + y) * side + from.x;
+                std::fill(row, row + part, number);
+            }
         }
     }
     static glm::dvec3 corner(int i) { return {i & 1, (i >> 1) & 1, i >> 2}; }
@@ -166,8 +180,33 @@ private:
     std::optional<double> width_;
     double margin_;
     int levels_;
-    std::vector<List> cells_;
+    Block block_;
 };
+
+/// The blocks' lists one after the other, and the cells of all of them.
+void join(const std::vector<Block>& found, const glm::ivec3& blocks, int side,
+          ActiveLists& result) {
+    std::vector<std::uint32_t> first;  // list of each block
+    result.begins.push_back(0);
+    for (const Block& block : found) {
+        first.push_back(static_cast<std::uint32_t>(result.begins.size() - 1));
+        for (const List& list : block.lists) {
+            result.operands.insert(result.operands.end(), list.begin(), list.end());
+            result.begins.push_back(static_cast<std::uint32_t>(result.operands.size()));
+        }
+    }
+    for (int z = 0; z < result.count.z; ++z) {
+        for (int y = 0; y < result.count.y; ++y) {
+            for (int x = 0; x < result.count.x; ++x) {
+                const auto block = static_cast<std::size_t>(
+                    (z / side * blocks.y + y / side) * blocks.x + x / side);
+                const auto cell =
+                    static_cast<std::size_t>((z % side * side + y % side) * side + x % side);
+                result.cells.push_back(first[block] + found[block].cells[cell]);
+            }
+        }
+    }
+}
 
 }  // namespace
 
@@ -190,7 +229,7 @@ ActiveLists active_lists(const Operands& operands, const Region& region,
     List all(operands.kind.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint32_t>(i);
     const double block_size = result.size * side;
-    std::vector<std::vector<List>> found(static_cast<std::size_t>(blocks.x * blocks.y * blocks.z));
+    std::vector<Block> found(static_cast<std::size_t>(blocks.x * blocks.y * blocks.z));
     std::atomic<int> next = 0;
     const auto work = [&] {
         Divider divider(operands, region, width, 1e-6 * longest, levels);
@@ -205,19 +244,7 @@ ActiveLists active_lists(const Operands& operands, const Region& region,
     work();
     other.join();
 
-    result.begins.push_back(0);
-    for (int z = 0; z < result.count.z; ++z) {
-        for (int y = 0; y < result.count.y; ++y) {
-            for (int x = 0; x < result.count.x; ++x) {
-                const int block = (z / side * blocks.y + y / side) * blocks.x + x / side;
-                const int cell = (z % side * side + y % side) * side + x % side;
-                const List& list =
-                    found[static_cast<std::size_t>(block)][static_cast<std::size_t>(cell)];
-                result.operands.insert(result.operands.end(), list.begin(), list.end());
-                result.begins.push_back(static_cast<std::uint32_t>(result.operands.size()));
-            }
-        }
-    }
+    join(found, blocks, side, result);
     return result;
 }
 

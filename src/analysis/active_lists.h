@@ -30,15 +30,16 @@ struct Operands {
 };
 
 struct ActiveLists {
-    glm::dvec3 origin{0};  ///< the grid's low corner
-    double size = 1;       ///< of a cell
-    glm::ivec3 count{1};   ///< cells along each axis
-    /// Of each cell, x fastest: where its list begins in `operands`, and at last the end.
-    std::vector<std::uint32_t> begins;
+    glm::dvec3 origin{0};               ///< the grid's low corner
+    double size = 1;                    ///< of a cell
+    glm::ivec3 count{1};                ///< cells along each axis
+    std::vector<std::uint32_t> cells;   ///< the list of each cell, x fastest
+    std::vector<std::uint32_t> begins;  ///< of each list in `operands`, and at last the end
     std::vector<std::uint32_t> operands;
 
     std::span<const std::uint32_t> of(std::size_t cell) const {
-        return std::span(operands).subspan(begins[cell], begins[cell + 1] - begins[cell]);
+        const std::size_t list = cells[cell];
+        return std::span(operands).subspan(begins[list], begins[list + 1] - begins[list]);
     }
 };
 
@@ -46,7 +47,7 @@ struct ActiveLists {
 /// of the union of all operands; and, with a width, the polynomial smooth minimum of its list, one
 /// operand after the other (field::smooth_union), that of all. Rigorous as far as the operands are
 /// 1-Lipschitz, with a margin of 1e-6 of the region for the rounding of values in single precision.
-/// The grid covers the region; cells that do not meet it have an empty list. Two threads.
+/// The grid covers the region; cells that do not meet it may have an empty list. Two threads.
 ActiveLists active_lists(const Operands& operands, const Region& region,
                          std::optional<double> width);
 

@@ -75,7 +75,7 @@ std::array<float, shader::family_head_size> add_family(std::vector<float>& texel
     const analysis::ActiveLists lists =
         active_lists(operands(table, parameters), with_margin(region), width_of(table, parameters));
     const std::vector<float> all = rows(table, numbers_of(table, parameters));
-    const std::size_t cells = lists.begins.size() - 1, row = 4 * table.texels;
+    const std::size_t cells = lists.cells.size(), row = 4 * table.texels;
     const std::size_t first_row = texels.size() / 4;
     const std::size_t end_of_rows = first_row + table.texels * table.members.size();
     const std::size_t end_of_heads = end_of_rows + 1 + cells;
@@ -90,8 +90,9 @@ std::array<float, shader::family_head_size> add_family(std::vector<float>& texel
             add_head(first_row, end_of_rows);
             continue;
         }
-        add_head(end_of_heads + table.texels * lists.begins[i],
-                 end_of_heads + table.texels * lists.begins[i + 1]);
+        const std::size_t list = lists.cells[i];
+        add_head(end_of_heads + table.texels * lists.begins[list],
+                 end_of_heads + table.texels * lists.begins[list + 1]);
     }
     for (const std::uint32_t operand : lists.operands) {
         const auto begin = all.begin() + static_cast<std::ptrdiff_t>(row * operand);
