@@ -3,8 +3,7 @@
 
 #include <cmath>
 #include <numbers>
-#include <span>
-#include <vector>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -19,17 +18,10 @@ std::string ball(int i, int count, double z) {
                        radius * std::sin(angle), z);
 }
 
-/// As flat as can be: brackets have a limit.
-std::string blended(std::span<const std::string> balls) {
-    if (balls.size() == 1) return balls[0];
-    const std::size_t half = balls.size() / 2;
-    return fmt::format("join({}, {})", blended(balls.first(half)), blended(balls.subspan(half)));
-}
-
-std::vector<std::string> balls(int count, double z) {
-    std::vector<std::string> list;
-    for (int i = 0; i < count; ++i) list.push_back(ball(i, count, z));
-    return list;
+std::string blended(int count, double z) {
+    std::string list;
+    for (int i = 0; i < count; ++i) list += ball(i, count, z) + ", ";
+    return fmt::format("smooth_union({}k = width)", list);
 }
 
 }  // namespace
@@ -39,10 +31,9 @@ std::string many_primitives(int count) {
     const int bites = count / 5;
     return fmt::format(
         "ball(a, b, c) = translate(sphere({:.4f}), (a, b, c))\n"
-        "join(f, g) = smooth_union(f, g, {:.4f})\n"
-        "smooth_difference({}, {}, {:.4f})\n",
-        size, 0.3 * size, blended(balls(count - bites, 0)), blended(balls(bites, 0.8 * size)),
-        0.3 * size);
+        "width = {:.4f}\n"
+        "smooth_difference({}, {}, width)\n",
+        size, 0.3 * size, blended(count - bites, 0), blended(bites, 0.8 * size));
 }
 
 std::optional<scene::Document> generated_scene(std::string_view name) {
