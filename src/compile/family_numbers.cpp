@@ -32,8 +32,9 @@ std::vector<float> rows(const shader::FamilyTable& table, std::span<const double
         for (std::size_t k = 0; k < table.sizes[i]; ++k) {
             row[k] = static_cast<float>(numbers[next++]);
         }
-        if (table.kinds.size() > 1) row[size - 2] = static_cast<float>(table.members[i]);
-        row[size - 1] = static_cast<float>(table.first_object + i);
+        const std::size_t end = table.first_object ? size - 1 : size;
+        if (table.kinds.size() > 1) row[end - 1] = static_cast<float>(table.members[i]);
+        if (table.first_object) row[end] = static_cast<float>(*table.first_object + i);
     }
     return result;
 }

@@ -3,6 +3,7 @@
 // of them can matter where.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "eval/tape.h"
@@ -11,8 +12,8 @@
 namespace shader {
 
 /// The layout of the program's texels of four floats: for each family its rows, one a member, its
-/// heads, and its lists. A row is `texels` long and holds the member's numbers, in its last
-/// component the object, and in the one before the kind, where there are several. A head holds the
+/// heads, and its lists. A row is `texels` long and holds the member's numbers and at its
+/// end, where there are several, the kind, and the object, if members are objects. A head holds the
 /// first texel of a list and the one behind its end; the first head is that of the rows themselves,
 /// and one for each cell of the grid follows, x fastest. A list holds copies of rows.
 struct FamilyTable {
@@ -27,7 +28,7 @@ struct FamilyTable {
     eval::Tape numbers;
     bool is_smooth = false;
     std::size_t texels = 0;
-    std::size_t first_object = 0;
+    std::optional<std::size_t> first_object{};  ///< if members are objects
     /// The cells that the family is in, outermost first: the grid is in their coordinates.
     std::vector<field::FieldId> cells;
 };

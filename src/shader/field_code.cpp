@@ -89,9 +89,10 @@ graph::NodeId with_roots(graph::Graph& graph, graph::NodeId root) {
 
 }  // namespace
 
-void FieldCode::code_family(Family of, const std::vector<FieldId>& cells,
-                            std::size_t first_object) {
+void FieldCode::code_family(Family of, const std::vector<FieldId>& cells, std::size_t first_object,
+                            bool tells_objects) {
     CodedFamily family;
+    family.tells_objects = tells_objects;
     family.it = std::move(of);
     family.first_object = first_object;
     family.cells = cells;
@@ -104,14 +105,15 @@ void FieldCode::code_family(Family of, const std::vector<FieldId>& cells,
              kind.variables});
         numbers = std::max(numbers, kind.variables.size());
     }
-    family.texels = (numbers + (values.size() > 1 ? 2 : 1) + 3) / 4;
+    numbers += (values.size() > 1 ? 1 : 0) + (tells_objects ? 1 : 0);
+    family.texels = std::max<std::size_t>((numbers + 3) / 4, 1);
     family.gradients = passes::gradients(field.graph, values);
     families.push_back(std::move(family));
 }
 
 void FieldCode::code_families() {
     for (const PlannedFamily& planned : plan.families) {
-        code_family(gathered.at(planned.id), planned.cells, planned.first_object);
+        code_family(gathered.at(planned.id), planned.cells, planned.first_object, true);
     }
 }
 
@@ -131,7 +133,7 @@ void FieldCode::code_minima() {
         if (found.size() < leaf->minima.size()) continue;
         for (std::size_t k = 0; k < found.size(); ++k) {
             minima[i][leaf->minima[k].variable] = families.size();
-            code_family(std::move(found[k]), object.cells, i);
+            code_family(std::move(found[k]), object.cells, i, false);
         }
         leaf->value = leaf->outline;
     }
@@ -278,7 +280,7 @@ FamilyTable family_table(const FieldCode& code, const CodedFamily& family) {
     FamilyTable table;
     table.kinds = family.tapes;
     table.texels = family.texels;
-    table.first_object = family.first_object;
+    if (family.tells_objects) table.first_object = family.first_object;
     table.cells = family.cells;
     std::vector<graph::NodeId> numbers;
     for (const Member& member : family.it.members) {

@@ -27,12 +27,13 @@ struct CodedFamily {
     Family it;
     std::vector<Gradient> gradients;  ///< of the kinds
     std::size_t first_object = 0;
-    std::vector<field::FieldId> cells;                  ///< around it, outermost first
-    std::size_t texels = 0;                             ///< of a row
+    std::vector<field::FieldId> cells;  ///< around it, outermost first
+    bool tells_objects = true;  ///< a member is an object; of a minimum in a formula it is none
+    std::size_t texels = 0;     ///< of a row
     std::array<std::string, family_head_size> heads{};  ///< how GLSL spells them
     std::vector<FamilyTable::Kind> tapes;               ///< of the kinds
 
-    std::size_t kind_place() const { return 4 * texels - 2; }
+    std::size_t kind_place() const { return 4 * texels - (tells_objects ? 2 : 1); }
     std::size_t last_object() const { return first_object + it.members.size() - 1; }
     /// The first texel of an object's row.
     std::string row(const std::string& object) const {
@@ -98,7 +99,8 @@ struct FieldCode {
 
 private:
     void spell_out_orbits();
-    void code_family(Family of, const std::vector<field::FieldId>& cells, std::size_t first_object);
+    void code_family(Family of, const std::vector<field::FieldId>& cells, std::size_t first_object,
+                     bool tells_objects);
     void code_families();
     void code_minima();
     void differentiate();
