@@ -125,9 +125,7 @@ shader::FieldNumbers field_numbers(const Formula& formula, const shader::Program
     if (!source.families.empty()) {
         auto texels = std::make_shared<std::vector<float>>();
         for (const shader::FamilyTable& family : source.families) {
-            analysis::Region region = region_of(family, bounds, document.bounds);
-            // Coordinates are not recentred where there are cells.
-            region.centre -= glm::dvec3(numbers.origin[0], numbers.origin[1], numbers.origin[2]);
+            const analysis::Region region = region_of(family, bounds, document.bounds);
             families.push_back(add_family(*texels, family, region, parameters));
         }
         numbers.families = std::move(texels);

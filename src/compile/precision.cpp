@@ -13,6 +13,7 @@
 #include "compile/visible_region.h"
 #include "field/parts.h"
 #include "passes/recentre.h"
+#include "shader/family.h"
 
 namespace compile {
 namespace {
@@ -103,10 +104,19 @@ bool has_cells(const field::Field& field) {
     });
 }
 
+/// Families hold distances in world coordinates; as text their members would be too much.
+bool has_families(field::Field field) {
+    const bool has_minima = std::ranges::any_of(field.nodes, [](const field::Node& node) {
+        const auto* leaf = std::get_if<field::Formula>(&node);
+        return leaf && !leaf->minima.empty();
+    });
+    return has_minima || !shader::gather_families(field).empty();
+}
+
 /// What coordinates about the target would leave; +infinity where there are none.
 double recentred_displacement(const Formula& formula, const Look& look, glm::dvec3 origin,
                               std::vector<double> parameters) {
-    if (has_cells(formula.field)) return numeric::infinity;
+    if (has_cells(formula.field) || has_families(formula.field)) return numeric::infinity;
     field::Field field = formula.field;
     passes::recentre(field);
     parameters.insert(parameters.end(), {origin.x, origin.y, origin.z});

@@ -139,7 +139,9 @@ TEST(ActiveLists, are_empty_outside_of_a_ball_and_only_there) {
                                cell / (lists.count.x * lists.count.y));
         const glm::dvec3 low = lists.origin + lists.size * place;
         const glm::dvec3 nearest = glm::clamp(ball.centre, low, low + lists.size);
-        if (lists.of(i).empty()) EXPECT_GT(glm::distance(nearest, ball.centre), 1) << i;
+        if (lists.of(i).empty()) {
+            EXPECT_GT(glm::distance(nearest, ball.centre), 1) << i;
+        }
         empty += lists.of(i).empty();
     }
     EXPECT_GT(empty, lists.cells.size() / 4);

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "compile/precision.h"
 #include "compile/understood.h"
 
 namespace compile {
@@ -51,6 +52,18 @@ TEST(FamilyNumbers, begin_with_the_rows_of_all_members) {
     EXPECT_EQ(objects.size(), 20);
     EXPECT_EQ(*objects.begin(), 2);
     EXPECT_EQ(*objects.rbegin(), 21);
+}
+
+TEST(FamilyNumbers, are_of_the_world_in_programs_that_are_more_precise) {
+    scene::Document document;
+    document.camera = scene::Camera{{0, 0, 1.00001}, {0, 0, 1}};
+    for (const char* whole : {"union(bead, 20)", "smooth_union(bead, 20, 0.05)"}) {
+        EXPECT_EQ(choose_precision(understood(beads + whole), document).precision,
+                  shader::Precision::doubled)
+            << whole;
+    }
+    EXPECT_EQ(choose_precision(understood(beads + "bead(1)"), document).precision,
+              shader::Precision::recentred);
 }
 
 }  // namespace
