@@ -20,12 +20,14 @@ using List = std::vector<std::uint32_t>;
 constexpr int blocks_along = 4;
 
 /// How often a block is halved at most: cells get about a third of the distance between neighbours
-/// among the operands, where these are spread evenly. Cells of half the size have shorter lists,
-/// but were no faster, since more of what is fetched is new.
+/// among the operands, where these are spread evenly in space or over a surface.
 int halvings(std::size_t operands) {
-    const double cells = 3 * std::cbrt(static_cast<double>(operands));
+    const double cells = 3 * std::sqrt(static_cast<double>(operands));
     return std::clamp(static_cast<int>(std::lround(std::log2(cells / blocks_along))), 1, 4);
 }
+
+/// Shorter lists are not worth the smallest cells.
+constexpr std::size_t short_list = 12;
 
 /// The values of operands at the centres of cells.
 class Values {
@@ -89,9 +91,10 @@ private:
     std::vector<double> found_, result_, scratch_;
 };
 
-/// Those that can be the smallest somewhere within the reach of the point with these values.
-List nearest(const List& list, std::span<const double> values, double reach) {
-    double least = INFINITY;
+/// Those that can be the smallest somewhere within the reach of the point with these values, the
+/// least of which is told.
+List nearest(const List& list, std::span<const double> values, double reach, double& least) {
+    least = INFINITY;
     for (const double value : values) least = value < least ? value : least;
     List kept;
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -109,10 +112,12 @@ double smooth_minimum(double a, double b, double width) {
 
 /// Those that a smooth minimum is made of, one after the other, within the reach of the point: what
 /// is farther than the width from the minimum so far changes nothing, and if it is so much smaller
-/// then all before it change nothing. The minimum so far is 1-Lipschitz as well.
-List blended(const List& list, std::span<const double> values, double reach, double width) {
+/// then all before it change nothing. The minimum so far is 1-Lipschitz as well; `least` is the
+/// last one, at the point.
+List blended(const List& list, std::span<const double> values, double reach, double width,
+             double& least) {
     List kept;
-    double least = INFINITY;
+    least = INFINITY;
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (values[i] >= least + width + 2 * reach) continue;
         if (values[i] + width + 2 * reach <= least) kept.clear();
@@ -138,14 +143,21 @@ public:
         const int side = 1 << levels_;
         block_ = {};
         block_.cells.assign(static_cast<std::size_t>(side) * side * side, 0);
-        divide(all, low, size, {0, 0, 0}, 0);
+        divide(all, 0, low, size, {0, 0, 0}, 0);
         return std::move(block_);
     }
 
 private:
-    void divide(List list, const glm::dvec3& low, double size, const glm::ivec3& place, int level) {
+    /// Whether smaller cells are not worth it. The smallest are for long lists near the surface.
+    bool is_enough(const List& list, double least, double size, int level) const {
+        const bool last = level + 1 == levels_ && levels_ > 1;
+        const bool plain = list.size() <= short_list || std::abs(least) > size;
+        return level == levels_ || list.size() == 1 || (last && plain);
+    }
+    void divide(const List& list, double least, const glm::dvec3& low, double size,
+                const glm::ivec3& place, int level) {
         if (!clip(region_, {low, low + size})) return;
-        if (level == levels_ || list.size() == 1) return put(std::move(list), place, level);
+        if (is_enough(list, least, size, level)) return put(list, place, level);
         const double half = 0.5 * size;
         std::array<glm::dvec3, 8> centres;
         for (int i = 0; i < 8; ++i) {
@@ -156,8 +168,11 @@ private:
         for (int i = 0; i < 8; ++i) {
             const std::span row =
                 std::span(values).subspan(static_cast<std::size_t>(i) * list.size(), list.size());
-            divide(width_ ? blended(list, row, reach, *width_) : nearest(list, row, reach),
-                   low + half * corner(i), half, 2 * place + glm::ivec3(corner(i)), level + 1);
+            double least_there = 0;
+            const List kept = width_ ? blended(list, row, reach, *width_, least_there)
+                                     : nearest(list, row, reach, least_there);
+            divide(kept, least_there, low + half * corner(i), half,
+                   2 * place + glm::ivec3(corner(i)), level + 1);
         }
     }
     /// Gives the list to all smallest cells of the cell.
