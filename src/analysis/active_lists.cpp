@@ -110,6 +110,11 @@ double smooth_minimum(double a, double b, double width) {
     return std::min(a, b) - overlap * overlap * width / 4;
 }
 
+/// An operand that is by n widths farther than another changes the smooth minimum by at most
+/// exp(-2 (n - 2)) / 4 widths: while that sinks by a width, what it owes to earlier operands
+/// becomes smaller by more than exp(-2). So that is less than 3e-8.
+constexpr double most_widths = 10;
+
 /// Those that a smooth minimum is made of, one after the other, within the reach of the point: what
 /// is farther than the width from the minimum so far changes nothing, and if it is so much smaller
 /// then all before it change nothing. The minimum so far is 1-Lipschitz as well; `least` is the
@@ -117,9 +122,12 @@ double smooth_minimum(double a, double b, double width) {
 List blended(const List& list, std::span<const double> values, double reach, double width,
              double& least) {
     List kept;
+    double nearest = INFINITY;
+    for (const double value : values) nearest = value < nearest ? value : nearest;
+    const double far = nearest + 2 * reach + most_widths * width;
     least = INFINITY;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        if (values[i] >= least + width + 2 * reach) continue;
+        if (values[i] >= least + width + 2 * reach || values[i] > far) continue;
         if (values[i] + width + 2 * reach <= least) kept.clear();
         least = kept.empty() ? values[i] : smooth_minimum(least, values[i], width);
         kept.push_back(list[i]);

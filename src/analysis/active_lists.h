@@ -45,9 +45,10 @@ struct ActiveLists {
 
 /// Lists in ascending order, such that at every point of a cell the union of its list has the value
 /// of the union of all operands; and, with a width, the polynomial smooth minimum of its list, one
-/// operand after the other (field::smooth_union), that of all. Rigorous as far as the operands are
-/// 1-Lipschitz, with a margin of 1e-6 of the region for the rounding of values in single precision.
-/// The grid covers the region; cells that do not meet it may have an empty list. Two threads.
+/// operand after the other (field::smooth_union), that of all to 3e-8 of the width. Rigorous as far
+/// as the operands are 1-Lipschitz, with a margin of 1e-6 of the region for the rounding of values
+/// in single precision. The grid covers the region; cells that do not meet it may have an empty
+/// list. Two threads.
 ActiveLists active_lists(const Operands& operands, const Region& region,
                          std::optional<double> width);
 
