@@ -29,7 +29,7 @@ struct FieldNumbers {
     /// The origin of the program's coordinates in the world.
     std::array<double, 3> origin{};
     /// The texels of families (shader/family_table.h), four numbers each; nothing without families.
-    std::shared_ptr<const std::vector<float>> families;
+    std::shared_ptr<const std::vector<float>> families{};
 
     friend bool operator==(const FieldNumbers& a, const FieldNumbers& b) {
         const auto same = [](const auto& one, const auto& other) {

@@ -23,10 +23,10 @@ SLIDER_GRAB = (0x3F, 0x97, 0xA5)
 SWITCH = (150, 359)  # the box to tick in the second line of the sliders
 PROGRESS = (0x4F, 0xB6, 0xC4)
 POINT = (0xB6, 0xBE, 0xCA)  # of the plot
-STATE = (945, 260, 1190, 284)  # of the accuracy panel
-NUMBERS = (945, 330, 970, 430)  # of the accuracy panel, with its marks
-PLOT = (1010, 606, 1260, 742)
-COPY, MEASURE = (1140, 517), (1024, 565)  # buttons
+STATE = (945, 289, 1190, 313)  # of the accuracy panel
+NUMBERS = (945, 359, 970, 459)  # of the accuracy panel, with its marks
+PLOT = (1010, 635, 1260, 764)
+COPY, MEASURE = (1140, 546), (1024, 593)  # buttons
 
 PARAMETERS = 'param a = 0.3 in [0, 1] "depth"\nparam big = off'
 EQUATION = 'x^2 + y^2 + 4*a*z^2 = 1.5 + big/2'
