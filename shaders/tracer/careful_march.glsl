@@ -1,9 +1,10 @@
 #include "tracer/settle.glsl"
 #include "tracer/trace.glsl"
 
-// Goes along a ray to the first surface, by the strides of the tracer that this is joined with, where answers
-// are distances or estimates, or where f may be undefined, break off or change its sign without being zero. The loop that makes the strides is kept
-// small, since many lanes go through it together; what is behind its end is asked afterwards.
+// Goes along a ray to the first surface, by the strides of the tracer that this is joined with, where
+// answers are distances or estimates, or where f may be undefined, break off or change its sign without
+// being zero. The loop that makes the strides is kept small, since many lanes go through it together;
+// what is behind its end is asked afterwards.
 
 Trace trace(real3 o, real3 d, real t0, real t1) {
     Trace result = Trace(zs_unresolved, t0, -1, false, false, 0);
