@@ -8,5 +8,6 @@
 const real zs_far = 1e30;
 // The smallest relative step that moves a point, with a margin.
 const real zs_relative_step = 2e-7;
+const real zs_half_pi = 1.5707963267948966;
 
 real zs_nan() { return uintBitsToFloat(0x7fc00000u); }

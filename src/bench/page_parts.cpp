@@ -10,11 +10,13 @@ namespace bench {
 std::string run_description(const Report& report) {
     const Machine& m = report.machine;
     return fmt::format(
-        "This page is generated. To make it again, with the tables of accuracy:\n\n```\n{}\n```\n\n"
+        "This page is generated. To make it again, with the tables of "
+        "accuracy:\n\n```\n{}{}\n```\n\n"
         "{}, {} cores; {}; {}; {}{}. Pictures of {}x{} pixels, {} rounds: in each round every "
         "configuration of a preset draws one frame, in another order each time.\n\n",
-        report.command, m.processor, m.cores, m.renderer, m.version, m.date,
-        m.commit.empty() ? "" : "; commit " + m.commit, report.width, report.height, report.rounds);
+        m.shader_cache ? "" : "MESA_SHADER_CACHE_DISABLE=true ", report.command, m.processor,
+        m.cores, m.renderer, m.version, m.date, m.commit.empty() ? "" : "; commit " + m.commit,
+        report.width, report.height, report.rounds);
 }
 
 std::vector<std::string> tracer_names(const Report& report) {

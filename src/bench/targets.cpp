@@ -166,7 +166,8 @@ Target growth(const Report& report) {
     if (!few || !many) return target;
     target.reached = fmt::format("{:.2f} ({:.0f} % and {:.0f} % of the picture are covered)",
                                  *many / *few, 100 * share(many_name), 100 * share(few_name));
-    target.met = *many <= 3 * *few;
+    // A smaller picture would be no answer.
+    target.met = *many <= 3 * *few && share(many_name) >= 0.95 * share(few_name);
     return target;
 }
 
@@ -177,15 +178,27 @@ std::optional<double> first_picture(const PresetReport& preset) {
                   entry->first_frame_seconds);
 }
 
+Target text_to_picture(const Report& report, bool fractals) {
+    const double most = fractals ? 400 : 150;
+    Target target = each_at_most(
+        fmt::format("from text to picture, {}", fractals ? "fractals" : "formulas"),
+        fmt::format("{} ms, without a cache of shaders", most),
+        collect(report,
+                [&](const PresetReport& preset) {
+                    return is_fractal(preset) == fractals ? first_picture(preset) : std::nullopt;
+                }),
+        most, " ms");
+    // What a driver takes from its disk says nothing of a text that was just typed.
+    if (report.machine.shader_cache) {
+        if (!target.reached.empty()) target.reached += ", with such a cache";
+        target.met.reset();
+    }
+    return target;
+}
+
 }  // namespace
 
 std::vector<Target> targets(const Report& report, const std::vector<TortureScene>& torture) {
-    const auto formulas = collect(report, [](const PresetReport& preset) {
-        return is_fractal(preset) ? std::nullopt : first_picture(preset);
-    });
-    const auto fractals = collect(report, [](const PresetReport& preset) {
-        return is_fractal(preset) ? first_picture(preset) : std::nullopt;
-    });
     return {wrong_in_presets(report),
             wrong_in_torture(torture),
             first_order(report),
@@ -205,8 +218,8 @@ std::vector<Target> targets(const Report& report, const std::vector<TortureScene
                                      return std::optional(1e3 * preset.analyse_seconds);
                                  }),
                          15, " ms"),
-            each_at_most("from text to picture, formulas", "150 ms", formulas, 150, " ms"),
-            each_at_most("from text to picture, fractals", "400 ms", fractals, 400, " ms")};
+            text_to_picture(report, false),
+            text_to_picture(report, true)};
 }
 
 std::string targets_table(const std::vector<Target>& targets) {

@@ -167,6 +167,10 @@ TEST(Pages, hold_the_numbers_of_the_run) {
     EXPECT_TRUE(has(performance, "| surfaces/ball | 4.00 | 10.00 |  | 8.00 |  | 1.00 |"));
     EXPECT_TRUE(has(performance, "| surfaces/ball | auto | 25 % | 25 % | 25 % | 25 % |"));
     EXPECT_TRUE(has(performance, "```\nzeroset bench\n```"));
+    Report cold = report;
+    cold.machine.shader_cache = false;
+    EXPECT_TRUE(
+        has(performance_page(cold, {}), "```\nMESA_SHADER_CACHE_DISABLE=true zeroset bench\n```"));
     const std::string accuracy = accuracy_page(report, {}, {});
     EXPECT_TRUE(has(accuracy, "| surfaces/ball | 2 (0, 2, 0) | 0 |  | 50 (0, 50, 0) |  |"));
     EXPECT_TRUE(has(accuracy, "| auto | lipschitz 2 | 1 | 1.0000 % | 1.50 |"));
@@ -206,8 +210,12 @@ TEST(Targets, are_held_against_the_run) {
     report.presets[0].entries[0].first_frame_seconds = 0.03;
     EXPECT_EQ(reached(report, {}, "analysis of each preset"),
               "0 of 1; at most 20 ms (surfaces/ball): no");
+    report.machine.shader_cache = false;
     EXPECT_EQ(reached(report, {}, "from text to picture, formulas"),
               "0 of 1; at most 160 ms (surfaces/ball): no");
+    report.machine.shader_cache = true;
+    EXPECT_EQ(reached(report, {}, "from text to picture, formulas"),
+              "0 of 1; at most 160 ms (surfaces/ball), with such a cache");
     EXPECT_EQ(reached(report, {}, "from text to picture, fractals"), "");
 }
 
