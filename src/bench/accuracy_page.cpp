@@ -176,7 +176,8 @@ std::string accuracy_page(const Report& report, const std::vector<TortureScene>&
     page += fmt::format(
         "Errors are counted in pictures of {}x{} pixels, against the reference that `zeroset "
         "oracle` computes in double precision with a proof for each pixel; where a scene has "
-        "escape-time sets, from finely stepped estimates. A pixel is **missed** if there is a "
+        "escape-time sets other than those of q^2 + c, from finely stepped estimates. A pixel is "
+        "**missed** if there is a "
         "surface and none was found, a **phantom** if one was found where there is none, **moved** "
         "if it is off by more than half a pixel's footprint in depth. Pixels that the reference "
         "could not decide, and those within 0.03 pixel of an outline, do not count.\n\n",

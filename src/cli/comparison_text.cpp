@@ -43,7 +43,8 @@ std::string comparison_text(const Comparison& comparison) {
     }
     if (comparison.heuristic) {
         text +=
-            "The reference rests on distance estimates of escape-time sets: it proves nothing.\n";
+            "Parts of the reference rest on distance estimates of escape-time sets: they prove "
+            "nothing.\n";
     }
     return text;
 }

@@ -70,8 +70,8 @@ void add_oracle_options(CLI::App& command, OracleOptions& options) {
     add("--normal", options.normal, "Unit normal, facing the eye; 0 for a miss", "FILE.pfm");
     add("--certificate", options.certificate,
         "What is proven, a colour each: a hit light grey, a miss dark blue, undecided magenta, "
-        "too close to an outline yellow; where the scene has escape-time sets, nothing is proven: "
-        "a hit orange, a miss brown",
+        "too close to an outline yellow; where nothing is proven, since the scene has escape-time "
+        "sets other than those of q^2 + c: a hit orange, a miss brown",
         "FILE.png");
     add("--reference", options.reference, "All of it, for 'zeroset compare'", "FILE");
     add("--stats", options.stats, "Statistics as JSON; - for standard output", "FILE.json");

@@ -10,11 +10,12 @@ namespace cli {
 
 std::string oracle_stats_json(const oracle::Reference& reference, double seconds) {
     std::array<long long, 3> count{};
-    long long fragile = 0;
+    long long fragile = 0, estimated = 0;
     double widest = 0;
     for (const oracle::Pixel& pixel : reference.pixels) {
         ++count[static_cast<std::size_t>(pixel.verdict)];
         fragile += pixel.fragile;
+        estimated += pixel.estimated;
         if (pixel.verdict != oracle::Verdict::hit || !(pixel.far > 0)) continue;
         widest = std::max(widest, (pixel.far - pixel.near) / pixel.far);
     }
@@ -28,7 +29,8 @@ std::string oracle_stats_json(const oracle::Reference& reference, double seconds
     json["pixels"] = {{"hit", counted(oracle::Verdict::hit)},
                       {"miss", counted(oracle::Verdict::miss)},
                       {"undecided", counted(oracle::Verdict::undecided)},
-                      {"fragile", fragile}};
+                      {"fragile", fragile},
+                      {"estimated", estimated}};
     json["heuristic"] = reference.heuristic;
     json["largest_enclosure"] = widest;
     return json.dump(2) + '\n';

@@ -83,6 +83,11 @@ void Expressions::finish(Shape& shape) {
         const bool has_expression =
             solid.what == Solid::What::formula || solid.what == Solid::What::blend;
         if (has_expression) merge(solid.cuts, shape.expressions[solid.source].cuts);
+        if (solid.what == Solid::What::loop) {
+            if (const auto& turns = shape.loops[solid.source].quadratic) {
+                merge(solid.cuts, shape.expressions[turns->source].cuts);
+            }
+        }
         for (const std::size_t operand : solid.operands) {
             merge(solid.cuts, shape.solids[operand].cuts);
         }

@@ -17,6 +17,10 @@ constexpr double enclosure = 1e-9;
 constexpr double finest = 1e-14;
 /// After so many pieces a part of the shape counts as undecided.
 constexpr int most_pieces = 20'000;
+/// Likewise of one with iterations, where each takes many turns and an estimate stands by.
+constexpr int most_pieces_of_loops = 4'000;
+/// Steps are not shorter than this part of the distance, and of an estimate of it.
+constexpr double close = 1e-6, least_part = 1.0 / 32;
 
 bool is_positive(const Interval& a) { return a.lo > 0; }
 bool is_negative(const Interval& a) { return a.hi < 0; }
@@ -45,7 +49,7 @@ Found nearer(const Found& a, const Found& b) {
 FirstHit::FirstHit(const Shape& shape) : shape_(shape), along_(shape), distance_(shape) {
     for (std::size_t i = 0; i < shape.parts.size(); ++i) {
         const std::size_t solid = shape.parts[i].solid;
-        if (shape.solids[solid].has_loops) continue;
+        if (shape.solids[solid].estimated) continue;
         targets_.push_back({Found::Of::solid, i, {Function::What::solid, solid}});
     }
     for (std::size_t i = 0; i < shape.sheets.size(); ++i) {
@@ -70,7 +74,7 @@ Piece FirstHit::piece_of(const Target& target, const Stretch& stretch) {
 bool FirstHit::is_clipped_away(const Target& target, const Piece& piece) {
     const std::optional<std::size_t> clip = target.sheet->clip;
     if (!clip) return false;
-    if (shape_.solids[*clip].has_loops) {
+    if (shape_.solids[*clip].estimated) {
         const bool small = along_.is_ray() && piece.length() <= coarse(piece.end);
         return small && !is_guessed_inside(*clip, piece);
     }
@@ -86,7 +90,7 @@ bool FirstHit::is_drawn_throughout(const Target& target, const Piece& piece) {
     }
     const std::optional<std::size_t> clip = target.sheet->clip;
     if (!clip) return true;
-    if (shape_.solids[*clip].has_loops) return along_.is_ray() && is_guessed_inside(*clip, piece);
+    if (shape_.solids[*clip].estimated) return along_.is_ray() && is_guessed_inside(*clip, piece);
     return along_.over({Function::What::solid, *clip}, t).hi <= 0;
 }
 
@@ -95,15 +99,12 @@ bool FirstHit::is_guessed_inside(std::size_t solid, const Piece& piece) {
 }
 
 /// By what is cheap: without derivatives.
-bool FirstHit::is_empty(const Target& target, const Piece& piece) {
-    const Interval t{piece.begin, piece.end};
-    const auto excludes = [&](const Interval& values) {
-        return is_positive(values) || values.is_empty() ||
-               (target.is_sheet() && is_negative(values));
+bool FirstHit::is_empty(const Target& target, const Piece& piece, const Interval& values) {
+    const auto excludes = [&](const Interval& each) {
+        return is_positive(each) || each.is_empty() || (target.is_sheet() && is_negative(each));
     };
-    return excludes(along_.over(target.function, t)) ||
-           (target.is_sheet() && is_clipped_away(target, piece)) ||
-           along_.on_each_side(target.function, t, excludes);
+    return excludes(values) || (target.is_sheet() && is_clipped_away(target, piece)) ||
+           along_.on_each_side(target.function, {piece.begin, piece.end}, excludes);
 }
 
 /// Shrinks a piece on which the function is monotone and changes its sign to one around the root
@@ -159,8 +160,11 @@ FirstHit::Fate FirstHit::judge(const Target& target, Piece& piece) {
         piece.end = piece.begin;
         return Fate::hit;
     }
-    if (is_empty(target, piece)) return Fate::empty;
-    const RayJet jet = along_.jet_over(target.function, {piece.begin, piece.end});
+    const Interval t{piece.begin, piece.end}, values = along_.over(target.function, t);
+    if (is_empty(target, piece, values)) return Fate::empty;
+    // Where the function may jump its derivatives tell nothing.
+    const RayJet jet =
+        values.partial || values.jumps ? RayJet(values) : along_.jet_over(target.function, t);
     return target.is_sheet() ? judge_sheet(target, piece, jet) : judge_solid(target, piece, jet);
 }
 
@@ -214,15 +218,14 @@ Found FirstHit::found_on(const Target& target, const Piece& piece, const Stretch
     return found;
 }
 
-Found FirstHit::search(const Target& target, const Stretch& stretch,
-                       const std::vector<Stretch>& stretches) {
-    open_.clear();
-    for (auto it = stretches.rbegin(); it != stretches.rend(); ++it) {
-        const Stretch part{std::max(it->begin, stretch.begin), std::min(it->end, stretch.end)};
-        if (part.begin < part.end) open_.push_back({part.begin, part.end, {}, {}});
-    }
+bool FirstHit::has_loops(const Target& target) const {
+    return !target.is_sheet() && shape_.solids[target.function.number].has_loops;
+}
+
+/// Of the open pieces; takes what it needs of the effort.
+Found FirstHit::bisect(const Target& target, const Stretch& stretch, int& effort) {
     std::size_t fresh = open_.size();  // so many, the first ones, have no values at their ends yet
-    for (int effort = 0; !open_.empty(); ++effort) {
+    for (; !open_.empty(); --effort) {
         Piece piece = open_.back();
         open_.pop_back();
         if (open_.size() < fresh) {
@@ -232,7 +235,7 @@ Found FirstHit::search(const Target& target, const Stretch& stretch,
         const Fate fate = judge(target, piece);
         if (fate == Fate::hit) return found_on(target, piece, stretch);
         if (fate == Fate::empty) continue;
-        if (piece.length() > fine(piece.end) && effort < most_pieces) {
+        if (piece.length() > fine(piece.end) && effort > 0) {
             split(target.function, piece);
             continue;
         }
@@ -247,13 +250,69 @@ Found FirstHit::search(const Target& target, const Stretch& stretch,
     return {};
 }
 
-Found FirstHit::operator()(const Ray& ray, const Stretch& stretch, const Places& places) {
+/// Moves t on over what is empty, by steps as long as the estimate says, each of them proven. Stops
+/// at the end, and where the estimate is short or more than can be proven; returns it, or what is
+/// left.
+double FirstHit::march(const Target& target, double& t, double end, int& effort) {
+    for (double part = 0.5;; --effort) {
+        const double distance = distance_(target.function.number, along_.ray().at(t));
+        const double way = std::min(end - t, distance);
+        if (!(distance > close * t) || part < least_part || effort <= 0) return way;
+        const double next = std::min(t + part * way, end);
+        if (is_positive(along_.over(target.function, {t, next}))) {
+            t = next;
+            if (t >= end) return 0;
+            part = std::min(1.25 * part, 1.0);
+        } else {
+            part *= 0.5;
+        }
+    }
+}
+
+/// Where bisection would take many pieces, each with many turns.
+Found FirstHit::search_loops(const Target& target, const Stretch& stretch,
+                             const std::vector<Stretch>& stretches) {
+    int effort = most_pieces_of_loops;
+    for (const Stretch& each : stretches) {
+        double t = std::max(each.begin, stretch.begin);
+        const double end = std::min(each.end, stretch.end);
+        while (t < end) {
+            const double way = march(target, t, end, effort);
+            double next = std::min(end, t + std::max(4 * coarse(t), 8 * way));
+            if (effort <= 0 || !(t < next)) next = end;
+            open_.assign(1, {t, next, {}, {}});
+            const Found found = bisect(target, stretch, effort);
+            if (found.verdict != Verdict::miss) return found;
+            t = next;
+        }
+    }
+    return {};
+}
+
+Found FirstHit::search(const Target& target, const Stretch& stretch,
+                       const std::vector<Stretch>& stretches) {
+    if (has_loops(target)) return search_loops(target, stretch, stretches);
+    open_.clear();
+    for (auto it = stretches.rbegin(); it != stretches.rend(); ++it) {
+        const Stretch part{std::max(it->begin, stretch.begin), std::min(it->end, stretch.end)};
+        if (part.begin < part.end) open_.push_back({part.begin, part.end, {}, {}});
+    }
+    int effort = most_pieces;
+    return bisect(target, stretch, effort);
+}
+
+bool FirstHit::proves_loops() const {
+    return std::ranges::any_of(targets_, [&](const Target& target) { return has_loops(target); });
+}
+
+Found FirstHit::operator()(const Ray& ray, const Stretch& stretch, const Places& places, Of of) {
     along_.take(ray);
     take_rounding(ray.origin, stretch.begin);
     Found found;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
         const Stretch rest{stretch.begin, std::min(stretch.end, found.far)};
         if (!(rest.begin < rest.end)) break;
+        if (of == Of::formulas && has_loops(targets_[i])) continue;
         found = nearer(found, search(targets_[i], rest, places[i]));
     }
     return found;
@@ -290,9 +349,10 @@ std::vector<Stretch> FirstHit::narrowed(const Target& target, const std::vector<
         while (!open_.empty()) {
             const Piece piece = open_.back();
             open_.pop_back();
-            if (is_empty(target, piece)) continue;
+            const Interval t{piece.begin, piece.end};
+            if (is_empty(target, piece, along_.over(target.function, t))) continue;
             if (piece.length() > std::max(2 * spread * piece.end, shortest)) {
-                const RayJet jet = along_.jet_over(target.function, {piece.begin, piece.end});
+                const RayJet jet = along_.jet_over(target.function, t);
                 const Interval values = values_on(piece, jet);
                 if (is_positive(values) || (target.is_sheet() && is_negative(values))) continue;
                 split(target.function, piece);

@@ -42,11 +42,14 @@ public:
     /// them is taken out, and what is behind a surface that all of them meet. At `within` all of
     /// them are within the bounds, or have left them.
     Places narrowed(const Beam& beam, const Places& places, double within);
-    /// Of all parts without loops, within the stretch, for a ray of the beam that the places are
-    /// of. A hit is enclosed to 1e-9 of its distance. Undecided is where f comes so close to 0 that
-    /// its sign cannot be told, and where the effort is spent. What a solid with loops cuts off of
-    /// a sheet is guessed.
-    Found operator()(const Ray& ray, const Stretch& stretch, const Places& places);
+    /// Whether there are parts with loops among those that something is proven of.
+    bool proves_loops() const;
+    enum class Of { all, formulas };
+    /// Of all parts that are not estimated, or of those of them without loops, within the stretch,
+    /// for a ray of the beam that the places are of. A hit is enclosed to 1e-9 of its distance.
+    /// Undecided is where f comes so close to 0 that its sign cannot be told, and where the effort
+    /// is spent. What an estimated solid cuts off of a sheet is guessed.
+    Found operator()(const Ray& ray, const Stretch& stretch, const Places& places, Of of = Of::all);
 
 private:
     /// A part of the shape: the zeros of the function, or where it is not above 0.
@@ -62,12 +65,17 @@ private:
     enum class Fate { empty, hit, unknown };
 
     Piece piece_of(const Target& target, const Stretch& stretch);
-    bool is_empty(const Target& target, const Piece& piece);
+    bool is_empty(const Target& target, const Piece& piece, const numeric::Interval& values);
     std::vector<Stretch> narrowed(const Target& target, const std::vector<Stretch>& stretches,
                                   double within, double& end);
     bool all_meet(const Target& target, const Piece& piece);
+    bool has_loops(const Target& target) const;
     Found search(const Target& target, const Stretch& stretch,
                  const std::vector<Stretch>& stretches);
+    Found search_loops(const Target& target, const Stretch& stretch,
+                       const std::vector<Stretch>& stretches);
+    Found bisect(const Target& target, const Stretch& stretch, int& effort);
+    double march(const Target& target, double& t, double end, int& effort);
     Found found_on(const Target& target, const Piece& piece, const Stretch& stretch);
     Fate judge(const Target& target, Piece& piece);
     Fate judge_solid(const Target& target, Piece& piece, const RayJet& jet);

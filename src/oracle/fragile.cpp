@@ -36,7 +36,7 @@ bool is_fragile(PixelTracer& trace, const Pixel& pixel, double x, double y, cons
     constexpr std::array<std::pair<double, double>, 4> shifts{
         {{fragile_shift, 0}, {-fragile_shift, 0}, {0, fragile_shift}, {0, -fragile_shift}}};
     return std::ranges::any_of(shifts, [&](const auto& shift) {
-        const Pixel other = trace(x + shift.first, y + shift.second, places);
+        const Pixel other = trace.estimated(x + shift.first, y + shift.second, places);
         if (other.verdict != pixel.verdict || other.object != pixel.object) return true;
         if (pixel.verdict == Verdict::miss) return false;
         return std::abs(other.depth() - pixel.depth()) > 0.5 * pixel_width * pixel.depth();

@@ -93,10 +93,12 @@ Found HeuristicMarch::march(std::size_t number, const Ray& ray, const Stretch& s
     return found;
 }
 
-Found HeuristicMarch::operator()(const Ray& ray, const Stretch& stretch, double pixel_width) {
+Found HeuristicMarch::operator()(const Ray& ray, const Stretch& stretch, double pixel_width,
+                                 Of of) {
     Found found;
     for (std::size_t i = 0; i < shape_.parts.size(); ++i) {
-        if (!shape_.solids[shape_.parts[i].solid].has_loops) continue;
+        const Solid& solid = shape_.solids[shape_.parts[i].solid];
+        if (!(of == Of::loops ? solid.has_loops : solid.estimated)) continue;
         const Stretch rest{stretch.begin, std::min(stretch.end, found.far)};
         if (rest.begin < rest.end) found = nearer(found, march(i, ray, rest, pixel_width));
     }

@@ -16,8 +16,10 @@ class HeuristicMarch {
 public:
     explicit HeuristicMarch(const Shape& shape);
 
-    /// Of all parts with loops, within the stretch. `pixel_width` is at distance 1.
-    Found operator()(const Ray& ray, const Stretch& stretch, double pixel_width);
+    /// Of all parts that are estimated, or of all with loops, within the stretch. `pixel_width` is
+    /// at distance 1.
+    enum class Of { estimated, loops };
+    Found operator()(const Ray& ray, const Stretch& stretch, double pixel_width, Of of);
 
 private:
     using RayNumber = numeric::SecondOrder<double, 1>;

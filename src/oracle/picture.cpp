@@ -111,13 +111,13 @@ private:
     std::vector<double> parameters_;
 };
 
-Rgb certificate_colour(const Reference& reference, const Pixel& pixel) {
+Rgb certificate_colour(const Pixel& pixel) {
     if (pixel.verdict == Verdict::undecided) return magenta;
     if (pixel.fragile) return {255, 210, 0};
     if (pixel.verdict == Verdict::hit) {
-        return reference.heuristic ? Rgb{235, 130, 40} : Rgb{215, 215, 215};
+        return pixel.estimated ? Rgb{235, 130, 40} : Rgb{215, 215, 215};
     }
-    return reference.heuristic ? Rgb{75, 45, 30} : Rgb{25, 35, 80};
+    return pixel.estimated ? Rgb{75, 45, 30} : Rgb{25, 35, 80};
 }
 
 template <class Colour>
@@ -155,9 +155,8 @@ image::Picture shaded_picture(const Reference& reference, const compile::Formula
 }
 
 image::Picture certificate_picture(const Reference& reference) {
-    return picture(reference, [&](int, int, const Pixel& pixel) {
-        return certificate_colour(reference, pixel);
-    });
+    return picture(reference,
+                   [&](int, int, const Pixel& pixel) { return certificate_colour(pixel); });
 }
 
 image::Grey depths(const Reference& reference) {

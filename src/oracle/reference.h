@@ -28,6 +28,7 @@ struct Pixel {
     double far = 0;            ///< likewise
     /// Unit, facing the eye; of an undecided pixel there at its best estimate. 0 for a miss.
     glm::dvec3 normal{0};
+    bool estimated = false;  ///< the verdict rests on distance estimates: heuristic
 
     /// The best estimate there is; +infinity for a miss.
     double depth() const { return far > near ? near + 0.5 * (far - near) : near; }
@@ -37,8 +38,7 @@ struct Reference {
     int width = 0;
     int height = 0;
     double pixel_width = 0;  ///< a pixel's footprint at distance 1: 2 tan(fov / 2) / full height
-    /// True if escape-time sets are in the scene: then verdicts rest on distance estimates, stepped
-    /// with a quarter of them, and prove nothing.
+    /// True if a verdict rests on distance estimates, stepped with a quarter of them.
     bool heuristic = false;
     std::vector<Pixel> pixels;  ///< row by row from the top left
 

@@ -12,7 +12,7 @@
 namespace oracle {
 namespace {
 
-constexpr std::string_view title = "zeroset reference 1";
+constexpr std::string_view title = "zeroset reference 2";
 constexpr std::size_t bytes_a_pixel = 1 + 1 + 4 + 5 * 8;
 constexpr std::size_t checksum_size = 8;
 constexpr std::size_t longest_header = 200;
@@ -45,7 +45,7 @@ private:
 
 void put(std::string& bytes, const Pixel& pixel) {
     put(bytes, static_cast<std::uint64_t>(pixel.verdict), 1);
-    put(bytes, pixel.fragile ? 1 : 0, 1);
+    put(bytes, (pixel.fragile ? 1 : 0) + (pixel.estimated ? 2 : 0), 1);
     put(bytes, static_cast<std::uint32_t>(pixel.object), 4);
     for (const double number :
          {pixel.near, pixel.far, pixel.normal.x, pixel.normal.y, pixel.normal.z}) {
@@ -57,7 +57,9 @@ bool take(Taker& from, Pixel& pixel) {
     const std::uint64_t verdict = from.whole(1);
     if (verdict > static_cast<std::uint64_t>(Verdict::undecided)) return false;
     pixel.verdict = static_cast<Verdict>(verdict);
-    pixel.fragile = from.whole(1) != 0;
+    const std::uint64_t flags = from.whole(1);
+    pixel.fragile = (flags & 1) != 0;
+    pixel.estimated = (flags & 2) != 0;
     pixel.object = static_cast<std::int32_t>(static_cast<std::uint32_t>(from.whole(4)));
     pixel.near = from.real();
     pixel.far = from.real();

@@ -10,6 +10,7 @@
 #include "field/parts.h"
 #include "graph/substitute.h"
 #include "oracle/expressions.h"
+#include "oracle/quadratic.h"
 #include "oracle/unroll.h"
 #include "oracle/zero_set.h"
 
@@ -95,11 +96,23 @@ private:
                                 node.escape ? tape(std::array{*node.escape}) : eval::Tape{},
                                 tape(std::array{node.distance}), node.escape.has_value(),
                                 std::round(number(node.limit))});
+        shape_.loops.back().quadratic = quadratic_turns(node, place);
         return one({.what = Solid::What::loop,
                     .source = shape_.loops.size() - 1,
                     .object = object_++,
-                    .has_loops = true},
+                    .has_loops = true,
+                    .estimated = !shape_.loops.back().quadratic},
                    place);
+    }
+    std::optional<QuadraticTurns> quadratic_turns(const field::Iteration& node,
+                                                  const Place& place) {
+        const std::optional<Quadratic> turns = quadratic(graph_, node);
+        if (!turns) return std::nullopt;
+        std::vector<NodeId> roots = turns->start;
+        roots.insert(roots.end(), turns->constant.begin(), turns->constant.end());
+        roots.push_back(turns->minus_bound);
+        for (NodeId& root : roots) root = seen(root, place);
+        return QuadraticTurns{turns->start.size(), expressions_.add(roots)};
     }
     Union visit_node(const field::Union& node, const Place& place) {
         Union all = visit(node.a, place);
@@ -169,7 +182,10 @@ private:
     std::size_t add(Solid solid) {
         for (const std::size_t operand : solid.operands) {
             solid.has_loops = solid.has_loops || shape_.solids[operand].has_loops;
+            solid.estimated = solid.estimated || shape_.solids[operand].estimated;
         }
+        // A blend calculates with how far, not only with the side.
+        if (solid.what == Solid::What::blend && solid.has_loops) solid.estimated = true;
         shape_.solids.push_back(std::move(solid));
         return shape_.solids.size() - 1;
     }
@@ -213,6 +229,15 @@ private:
 };
 
 }  // namespace
+
+bool is_heuristic(const Shape& shape) {
+    const auto estimated = [&](std::size_t solid) { return shape.solids[solid].estimated; };
+    return std::ranges::any_of(shape.parts,
+                               [&](const Part& part) { return estimated(part.solid); }) ||
+           std::ranges::any_of(shape.sheets, [&](const Sheet& sheet) {
+               return sheet.clip && estimated(*sheet.clip);
+           });
+}
 
 Shape make_shape(const field::Field& field, std::span<const double> parameters) {
     return Builder(field, parameters).build();

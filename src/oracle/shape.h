@@ -13,6 +13,14 @@
 
 namespace oracle {
 
+/// Turns of q -> q^2 + c until |q|^2 is above a bound (oracle/quadratic.h).
+struct QuadraticTurns {
+    std::size_t size = 4;  ///< of q: 2 or 4
+    /// An expression with a root for each component of q at the start, then one for each of c, then
+    /// minus the bound.
+    std::size_t source = 0;
+};
+
 /// An escape-time leaf as tapes; those of `field::Iteration`. `point` has the three coordinates
 /// that it is seen in.
 struct Loop {
@@ -20,6 +28,7 @@ struct Loop {
     eval::Tape point, start, step, escape, distance;
     bool escapes = false;
     double limit = 0;
+    std::optional<QuadraticTurns> quadratic{};  ///< then its sign can be proven
 };
 
 /// An operator that may jump (floor, a choice, ...). Its value is a variable of all expressions, so
@@ -46,6 +55,7 @@ struct Solid {
     bool distance = false;                    ///< of a formula: 1-Lipschitz
     int object = -1;                          ///< of a leaf
     bool has_loops = false;                   ///< at or below
+    bool estimated = false;                   ///< at or below, its sign rests on an estimate
     std::vector<std::size_t> cuts{};          ///< of all that is below
 };
 
@@ -78,5 +88,8 @@ struct Shape {
 
 /// Takes apart a field. `parameters` is indexed by ParameterId.
 Shape make_shape(const field::Field& field, std::span<const double> parameters);
+
+/// Whether there are escape-time sets that nothing is proven of.
+bool is_heuristic(const Shape& shape);
 
 }  // namespace oracle

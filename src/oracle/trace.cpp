@@ -89,7 +89,6 @@ public:
         reference_.width = area.width;
         reference_.height = area.height;
         reference_.pixel_width = pinhole_.pixel_width();
-        reference_.heuristic = !shape_.loops.empty();
         reference_.pixels.resize(static_cast<std::size_t>(area.width) *
                                  static_cast<std::size_t>(area.height));
         for_tiles(area, large, [&](const Tile& tile) { tiles_.push_back(tile); });
@@ -123,6 +122,7 @@ public:
                 result.pixels.push_back(reference_.at(x - area_.x, y - area_.y));
             }
         }
+        result.heuristic = std::ranges::any_of(result.pixels, &Pixel::estimated);
         return result;
     }
 

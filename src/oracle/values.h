@@ -12,6 +12,7 @@
 #include "field/field.h"
 #include "numeric/jet_operators.h"
 #include "numeric/real.h"
+#include "oracle/quaternion_jet.h"
 #include "oracle/shape.h"
 
 namespace oracle {
@@ -50,6 +51,27 @@ J as_operand(J jet) {
     return result;
 }
 
+inline bool is_surely_above(double value, double minus_bound) { return value > -minus_bound; }
+inline bool is_surely_above(const numeric::Interval& value, const numeric::Interval& minus_bound) {
+    return value.lo > -minus_bound.lo;
+}
+template <numeric::AnyJet J>
+bool is_surely_above(const J& value, const J& minus_bound) {
+    return is_surely_above(value.value, minus_bound.value);
+}
+
+/// The same or anything above.
+inline double or_more(double value) { return value; }
+inline numeric::Interval or_more(const numeric::Interval& value) {
+    return {value.lo, numeric::infinity, value.partial, true};
+}
+template <numeric::AnyJet J>
+J or_more(const J& jet) {
+    J result(or_more(jet.value));
+    result.smooth = false;
+    return result;
+}
+
 /// Evaluates expressions and solids at a place, which is a point or a stretch of a ray. Not for
 /// several threads.
 template <class T>
@@ -72,7 +94,8 @@ public:
         set_cuts(shape_.expressions[number].cuts);
         return expression_of_cuts(number);
     }
-    /// Not for a solid with loops.
+    /// Not for one that is estimated. Of a quadratic iteration the largest |q|^2 less its
+    /// bound, or something between 0 and that.
     T solid(std::size_t number) {
         set_cuts(shape_.solids[number].cuts);
         return solid_of_cuts(number);
@@ -118,7 +141,7 @@ public:
                 return mix_of_cuts(node, std::span(values).first(node.operands.size()));
             }
             case Solid::What::loop:
-                break;
+                return most_of_turns(shape_.loops[node.source]);
         }
         return T(numeric::infinity);
     }
@@ -135,6 +158,25 @@ private:
             const Cut& cut = shape_.cuts[number];
             set(cut.variable, eval::apply<T>(cut.op, arguments(cut)));
         }
+    }
+    /// Above 0 outside: what is outside after some turns stays so, whatever comes.
+    T most_of_turns(const Loop& loop) {
+        if (!loop.quadratic) return T(numeric::infinity);
+        const QuadraticTurns& turns = *loop.quadratic;
+        std::array<T, 9> roots{};
+        run(turns.source, std::span(roots).first(2 * turns.size + 1));
+        QuaternionJet<T> q(std::span<const T>(roots).first(turns.size));
+        const QuaternionJet<T> constant(std::span<const T>(roots).subspan(turns.size, turns.size));
+        const T minus_bound = outside_if_undefined(roots[2 * turns.size]);
+        T most = q.norm();
+        for (double turn = 0; turn < loop.limit; ++turn) {
+            if (is_surely_above(most, minus_bound) || q.is_hopeless()) {
+                return or_more(numeric::add(most, minus_bound));
+            }
+            q.turn(constant);
+            most = numeric::max(most, q.norm());
+        }
+        return numeric::add(most, minus_bound);
     }
     T mix_of_cuts(const Solid& node, std::span<const T> operands) {
         for (std::size_t i = 0; i < operands.size(); ++i) {

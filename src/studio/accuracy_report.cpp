@@ -56,11 +56,12 @@ std::vector<ReportLine> report_lines(const oracle::Metrics& metrics) {
 
 ReportLine certainty(const oracle::Reference& reference) {
     if (reference.heuristic) {
-        return {"heuristic", "",
-                "An escape-time set is in the scene. The reference is the same finite iteration in "
-                "double precision, stepped with a quarter of its distance estimate down to a "
-                "thousandth of a pixel. It proves nothing.",
-                std::nullopt};
+        return {
+            "heuristic", "",
+            "An escape-time set is in the scene. Where it is not proven, the reference is the same "
+            "finite iteration in double precision, stepped with a quarter of its distance "
+            "estimate down to a thousandth of a pixel. That proves nothing.",
+            std::nullopt};
     }
     return {"certified", "",
             "Every hit and every miss is proven by interval arithmetic in double precision; what "

@@ -29,6 +29,7 @@ class Oracle(Folder):
         self.assertEqual(pixels["undecided"], 0)
         self.assertGreater(pixels["hit"], 300)
         self.assertIs(stats["heuristic"], False)
+        self.assertEqual(pixels["estimated"], 0)
         self.assertLessEqual(stats["largest_enclosure"], 1e-9)
 
     def test_writes_depth_and_normal_of_the_rays_of_the_contract(self):
@@ -60,7 +61,7 @@ class Oracle(Folder):
             with open(name, "rb") as file:
                 self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
         with open(names[2], "rb") as file:
-            self.assertEqual(file.readline(), b"zeroset reference 1 40 30\n")
+            self.assertEqual(file.readline(), b"zeroset reference 2 40 30\n")
 
     def test_keeps_what_was_traced(self):
         names = [str(self.folder / name) for name in "abc"]
@@ -81,7 +82,9 @@ class Oracle(Folder):
 
     def test_says_where_nothing_is_proven(self):
         result = run("oracle", "--formula", "mandelbulb(8, 3)", "--size", "8x6", "--stats", "-")
-        self.assertIs(json.loads(result.stdout)["heuristic"], True)
+        stats = json.loads(result.stdout)
+        self.assertIs(stats["heuristic"], True)
+        self.assertEqual(stats["pixels"]["estimated"], 48)
 
     def test_takes_the_options_of_render(self):
         self.check(run(*BALL, "--tracer", "sphere", "--steps", "9", "--no-shadow", "--no-ao",

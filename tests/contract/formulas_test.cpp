@@ -14,7 +14,6 @@
 #include "contract/running_error.h"
 #include "eval/random_expression.h"
 #include "graph/print.h"
-#include "headless.h"
 #include "passes/pipeline.h"
 
 namespace contract {
@@ -113,7 +112,7 @@ void print_tally(const char* name, const Tally& tally) {
 class Formulas : public testing::Test {
 protected:
     void SetUp() override {
-        auto opened = open_headless();
+        auto opened = render::open_osmesa();
         ASSERT_TRUE(opened) << opened.problems()[0].message;
         context = std::move(*opened);
     }

@@ -12,7 +12,6 @@
 #include "contract/glsl_values.h"
 #include "contract/operator_table.h"
 #include "eval/operators.h"
-#include "headless.h"
 #include "shader/assembly.h"
 #include "shader/interval_writer.h"
 
@@ -125,7 +124,7 @@ TEST_P(IntervalsInGlsl, enclose_every_value) {
     const Op op = GetParam();
     const Row* row = analysis::accuracy_of(op);
     ASSERT_NE(row, nullptr);
-    const auto context = open_headless();
+    const auto context = render::open_osmesa();
     ASSERT_TRUE(context) << context.problems()[0].message;
     Random random(seed);
     const std::vector<Arguments> list = random_boxes(*row, random);

@@ -179,7 +179,10 @@ TEST(DenseSampling, agrees_with_the_certificates_of_presets) {
                              "operations/onion.json",
                              "operations/studded_ball.json",
                              "operations/twisted_column.json",
-                             "fractals/menger_sponge.json"}) {
+                             "fractals/menger_sponge.json",
+                             "fractals/julia_default.json",
+                             "fractals/julia_lace.json",
+                             "fractals/quaternion_mandelbrot.json"}) {
         const scene::Document document = preset(path);
         const auto formula = compile::compile_formula(document.formula);
         ASSERT_TRUE(formula) << path;

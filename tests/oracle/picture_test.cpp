@@ -49,7 +49,7 @@ TEST(Picture, of_a_certificate_has_a_colour_for_each_verdict) {
     reference.pixels[2].fragile = true;
     reference.pixels[3].verdict = Verdict::undecided;
     const image::Picture proven = certificate_picture(reference);
-    reference.heuristic = true;
+    for (Pixel& pixel : reference.pixels) pixel.estimated = true;
     const image::Picture guessed = certificate_picture(reference);
     EXPECT_EQ(at(proven, 0, 0), (Rgb{215, 215, 215}));
     EXPECT_EQ(at(proven, 1, 0), (Rgb{25, 35, 80}));

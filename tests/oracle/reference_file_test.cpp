@@ -22,7 +22,7 @@ Reference small() {
     reference.pixels = {
         {Verdict::hit, true, 7, 1.25, 1.25 + 1e-12, {0, -0.6, 0.8}},
         {Verdict::miss, false, -1, infinity, infinity, {0, 0, 0}},
-        {Verdict::undecided, false, 0, 2, 3, {1, 0, 0}},
+        {Verdict::undecided, false, 0, 2, 3, {1, 0, 0}, true},
     };
     return reference;
 }
@@ -52,6 +52,7 @@ TEST(ReferenceFile, keeps_every_number) {
         EXPECT_EQ(a.near, b.near);
         EXPECT_EQ(a.far, b.far);
         EXPECT_EQ(a.normal, b.normal);
+        EXPECT_EQ(a.estimated, b.estimated);
     }
     EXPECT_EQ(to_bytes(*again), to_bytes(small()));
 }
@@ -65,8 +66,8 @@ TEST(ReferenceFile, refuses_every_change_of_a_byte_and_every_cut) {
         EXPECT_NE(problem_of(bytes.substr(0, i)), "") << i;
     }
     EXPECT_EQ(problem_of(bytes + "x"), damaged);
-    EXPECT_EQ(problem_of("zeroset reference 1 99999 2\n"), damaged);
-    EXPECT_EQ(problem_of("zeroset reference 2 3 1\n"), unknown);
+    EXPECT_EQ(problem_of("zeroset reference 2 99999 2\n"), damaged);
+    EXPECT_EQ(problem_of("zeroset reference 3 3 1\n"), unknown);
     EXPECT_EQ(problem_of("P6 3 1 255\n"), unknown);
 }
 

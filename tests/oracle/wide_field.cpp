@@ -52,9 +52,16 @@ Extended WideField::iterate(const field::Iteration& node, const Point& point) {
         for (const NodeId root : roots) state.push_back(number(root, point));
         for (std::size_t i = 0; i < state.size(); ++i) variables_[index(node.state[i])] = state[i];
     };
+    // Of a set that is escaped from only the side.
+    const auto escaped = [&] { return node.escape && number(*node.escape, point).number > 0; };
     set(node.start);
+    if (escaped()) return 1.0;
     const long double limit = std::round(number(node.limit, point).number);
-    for (long double turn = 0; turn < limit; ++turn) set(node.step);
+    for (long double turn = 0; turn < limit; ++turn) {
+        set(node.step);
+        if (escaped()) return 1.0;
+    }
+    if (node.escape) return -1.0;
     return outside_if_undefined(number(node.distance, point));
 }
 

@@ -7,7 +7,6 @@
 #include <memory>
 #include <string>
 
-#include "headless.h"
 #include "render/context.h"
 #include "render/frame.h"
 #include "shader/program_source.h"
@@ -82,7 +81,7 @@ inline constexpr shader::Outputs everything{true, true, true, false};
 class WithContext : public testing::Test {
 protected:
     void SetUp() override {
-        auto opened = open_headless();
+        auto opened = render::open_osmesa();
         ASSERT_TRUE(opened) << text(opened);
         context = std::move(*opened);
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "render_answers/shot.h"
-#include "headless.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +42,7 @@ render::Still render(const scene::Document& document, const render::View& view,
         ADD_FAILURE() << document.formula << ": " << problems(formula.problems());
         return {};
     }
-    auto context = open_headless();
+    auto context = render::open_osmesa();
     if (!context) {
         ADD_FAILURE() << problems(context.problems());
         return {};
