@@ -12,8 +12,8 @@ real sheet_turn(real f, real side, out real now) {
 Answer answer_sheet(Answer a, real turn) {
     a.sheet = true;
     a.turned = turn < 0.0;
-    // Exactly on the surface is not yet across.
-    if (a.free == 0.0) a.free = 1e-30;
+    // Exactly on the surface is not yet across; behind it a way that is rounded to 0 is none.
+    if (a.free == 0.0) a.free = a.value < 0.0 ? -1e-30 : 1e-30;
     return a;
 }
 

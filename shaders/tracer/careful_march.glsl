@@ -37,7 +37,7 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             ++result.steps;
             real epsilon = march_epsilon(t);
             before = t;
-            free = max(a.free, epsilon);
+            free = max(a.free, min(epsilon, zs_wall + least_step(t)));
             // Near a pole the estimate is small as well, but there |f| grows.
             if (!grazing && a.free < epsilon && a.distance < epsilon && a.value * a.rate <= 0.0 &&
                 a.object >= 0) {

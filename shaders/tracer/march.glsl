@@ -23,24 +23,38 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
     do {
         a = stride_answer(o, d, t);
         bool inside = a.free <= 0.0;
-        bool parted = stride_has_parted(a, t - outer);
+        bool parted = near_steps == 0 && stride_has_parted(a, t - outer);
         at_start = inside && steps == 0;
         ++steps;
         real least = least_step(t), epsilon = march_epsilon(t);
         // How far the surface seems to be along the ray, ahead or, from inside, behind: Newton's step. Who
         // passes by closely is not near: there the derivative vanishes before f.
         real newton = a.value == 0.0 ? 0.0 : abs(a.value / a.rate);
-        bool close = !inside && a.free < epsilon && newton < epsilon;
-        bool near = close && a.value * a.rate <= 0.0;
-        // Close on both sides: what is left between is rounding.
-        bool touched = close && !near && near_steps > 0;
-        if (near) ++near_steps;
-        real way = near ? max(a.free, newton) : stride(max(a.free, epsilon), epsilon);
+        bool close = !inside && a.free < epsilon && newton < epsilon, falls = a.value * a.rate <= 0.0;
+        bool near = close && falls && near_steps >= 0;
+        bool touched = false, passed = false;
+        real least_way = near ? newton : epsilon;
+        least_way = min(least_way, zs_wall + least);
+        if (near) {
+            ++near_steps;
+        } else if (near_steps != 0) {
+            // Newton's steps have led past the least |f|, or no farther: back, and on by proven steps.
+            bool searching = !inside && inner == zs_far;
+            touched = searching && object_is_zero(a.object, o + t * d, position_error(t));
+            passed = searching && !touched && !falls && near_steps > 0;
+            near_steps = passed || a.free < epsilon ? -1 : 0;
+            if (close) least_way = epsilon / 16.0;
+        }
+        real way = max(a.free, least_way);
+        if (near_steps == 0) way = stride(way, epsilon);
         real next = t + way;
         // A proven step past the end proves a miss; otherwise the end is looked at too.
         bool left = inner == zs_far && next > t1 && ((!zs_guess && t + a.free > t1) || t >= t1);
         next = min(next, t1);
-        if (parted) {
+        if (passed) {
+            next = outer;
+            left = false;
+        } else if (parted) {
             next = outer + stride_back();
         } else if (inside) {
             inner = t;

@@ -27,8 +27,9 @@ real stride_back() { return zs_radius; }
 
 real stride(real free, real epsilon) {
     zs_radius = free;
-    // Not after a guess, nor out of a cell, beyond whose wall the spheres say nothing.
-    real most = zs_guess ? free : max(free, 0.99 * zs_wall);
+    // Not after a guess, nor where the stride is the least one and its sphere no proof, nor out of a cell,
+    // beyond whose wall the spheres say nothing.
+    real most = zs_guess || free <= epsilon ? free : max(free, 0.99 * zs_wall);
     real way = min(zs_relaxation * free, most);
     zs_is_relaxed = way > free;
     return way;

@@ -16,5 +16,8 @@ bool stride_is_checked();
 // No distance along a ray is told apart from less than this.
 real least_step(real t) { return 2.0 * zs_relative_step * max(t, 1e-3 * frame.origin.w); }
 
+// How far the coordinates of a point on the ray are off: a product and a sum are rounded.
+real position_error(real t) { return 0.3 * least_step(t); }
+
 // A hit is closer than this; no stride is shorter.
 real march_epsilon(real t) { return max(frame.march.z * pixel_footprint(t), least_step(t)); }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/running_error.h"
 #include "passes/differentiate.h"
 #include "passes/operation_count.h"
 #include "passes/pipeline.h"
@@ -36,6 +37,7 @@ FieldCode::FieldCode(field::Field of, const Demands& demanded, Precision precisi
     if (demands.hessians) differentiate_twice();
     if (demands.polynomials) find_coefficients();
     make_cheap();
+    if (!edges && !breaks) bound_rounding();
     depends = depends_on_variables(field.graph);
     nan = may_be_nan(field);
 }
@@ -254,6 +256,29 @@ void FieldCode::make_cheap() {
     const std::vector<graph::NodeId> cheap =
         passes::run(field.graph, roots, passes::Stage::evaluation);
     for (std::size_t i = 0; i < places.size(); ++i) *places[i] = cheap[i];
+}
+
+/// Of the expressions as they are evaluated.
+void FieldCode::bound_rounding() {
+    // Our functions in double are as exact in proportion.
+    const double part = values.precision() == Precision::doubled ? 4e-8 : 1;
+    position_error = field.graph.new_variable("off");
+    const graph::NodeId position = field.graph.variable(position_error);
+    std::vector<graph::NodeId> formulas;
+    for (const auto& [id, gradient] : gradients) {
+        formulas.push_back(std::get<field::Formula>(field[id]).value);
+    }
+    const auto bounds = analysis::running_errors(field.graph, formulas, position, part);
+    std::vector<FieldId> known;
+    std::vector<graph::NodeId> errors;
+    for (std::size_t i = 0; const auto& [id, gradient] : gradients) {
+        const auto& bound = bounds[i++];
+        if (!bound) continue;
+        known.push_back(id);
+        errors.push_back(*bound);
+    }
+    errors = passes::run(field.graph, errors, passes::Stage::evaluation);
+    for (std::size_t i = 0; i < known.size(); ++i) rounding[known[i]] = errors[i];
 }
 
 std::optional<std::size_t> FieldCode::brick_grid(std::size_t object) const {

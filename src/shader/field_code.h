@@ -66,7 +66,9 @@ struct FieldCode {
     std::array<graph::VariableId, 6> ray{};  ///< what those are made of: a point and a vector
     bool edges = false;                      ///< a formula may be undefined somewhere
     bool breaks = false;                     ///< a formula may jump or have a kink
-    bool clips = false;  ///< a sheet is cut by a solid, whose wall is no surface
+    std::map<field::FieldId, graph::NodeId> rounding;  ///< bounds of formulas' rounding errors
+    graph::VariableId position_error{};  ///< what those are made of: how far the point is off
+    bool clips = false;                  ///< a sheet is cut by a solid, whose wall is no surface
     std::vector<bool> depends;
     std::vector<bool> nan;  ///< of each node whether it may be NaN
     FieldValues values;
@@ -107,6 +109,7 @@ private:
     void differentiate_twice();
     void find_coefficients();
     void make_cheap();
+    void bound_rounding();
 };
 
 /// The functions of the leaves: value_i, distance_i, leaf_i.
@@ -144,6 +147,9 @@ void write_enclosures(FieldCode& code, bool count_evaluations);
 
 /// object_gradient, and object_distance if it is needed.
 void write_gradients(FieldCode& code);
+
+/// object_is_zero, for fields whose formulas are smooth everywhere.
+void write_rounding(FieldCode& code);
 
 /// object_colour, if there are any.
 void write_colours(FieldCode& code);

@@ -31,6 +31,10 @@ bool has_rates(const FieldCode& code) {
     return true;
 }
 
+bool is_regular(const FieldCode& code) {
+    return has_rates(code) && !code.edges && !code.breaks && !code.clips;
+}
+
 std::string facts(const FieldCode& code) {
     return fmt::format(
         "const bool zs_has_edges = {};\nconst bool zs_has_rates = {};\nconst int zs_objects = "
@@ -52,11 +56,12 @@ FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& 
     write_tree(code, count_evaluations);
     if (code.demands.intervals) write_enclosures(code, count_evaluations);
     write_gradients(code);
+    if (is_regular(code)) write_rounding(code);
     write_colours(code);
     code.out.facts = facts(code);
     code.out.has_edges = code.edges;
     code.out.answers_balls = answers_balls(code);
-    code.out.is_regular = has_rates(code) && !code.edges && !code.breaks && !code.clips;
+    code.out.is_regular = is_regular(code);
     code.out.values = code.values.list();
     code.out.expressions = eval::make_tape(code.field.graph, code.values.expressions());
     return std::move(code.out);

@@ -53,6 +53,10 @@ struct FieldGlsl {
 ///   real3 object_gradient(i, p, h)  the gradient of a leaf, by differences over h if it is an
 ///                                   iteration, or of the blend that it is part of
 ///   real object_distance(i, p)      the value of an iteration or blend; only if there are any
+///   bool object_is_zero(i, p, off)  whether the value of a leaf is within its rounding error of 0
+///   at
+///                                   p, whose coordinates are off by that much, or no bound of it
+///                                   is known; only if is_regular
 ///   bool object_colour(i, p, colour)  a leaf's own colour, if it has one; only if some leaf has
 ///   Enclosure enclose(o, d, t)      the whole tree over the interval t of the ray; only on demand
 /// The field's graph gets the derivatives' nodes, hence the copy.

@@ -10,51 +10,20 @@
 
 #include <fmt/format.h>
 
+#include "analysis/erring_value.h"
 #include "analysis/formulas.h"
-#include "analysis/operator_accuracy.h"
-#include "eval/operators.h"
 #include "eval/random_expression.h"
 #include "graph/print.h"
 
 namespace analysis {
 namespace {
 
-using graph::Op;
 using numeric::Interval;
 
 constexpr unsigned seed = 20261122;
-using Random = std::mt19937_64;
 
 double uniform(Random& random, double low, double high) {
     return std::uniform_real_distribution(low, high)(random);
-}
-
-double rounded(double value) { return static_cast<double>(static_cast<float>(value)); }
-
-/// An operator on numbers in single precision that errs as much as it may, to either side.
-double erring(Op op, const std::array<double, 4>& a, Random& random) {
-    const double exact = eval::apply<double>(op, a[0], a[1], a[2], a[3]);
-    const Accuracy& accuracy = *accuracy_of(op);
-    if (accuracy.unit == Unit::none) return rounded(exact);
-    // What rounding to a float leaves of the promise.
-    const double most = std::max(
-        0.0, accuracy.bound * size_of(accuracy.unit, a[1], exact) - 0x1.02p-24 * std::abs(exact));
-    return rounded(exact + (random() % 2 ? most : -most));
-}
-
-/// What a machine might find that errs as much as it may.
-double erring_value(const eval::Tape& tape, const std::vector<double>& variables, Random& random) {
-    std::vector<double> registers;
-    eval::load_parameters<double>(tape, {}, registers);
-    for (double& it : registers) it = rounded(it);
-    std::size_t next = tape.uniform_count();
-    for (const graph::VariableId id : tape.variables) registers[next++] = variables[index(id)];
-    for (const auto& it : std::span(tape.instructions).subspan(tape.independent)) {
-        std::array<double, 4> a;
-        for (std::size_t i = 0; i < 4; ++i) a[i] = registers[it.arguments[i]];
-        registers[it.result] = erring(it.op, a, random);
-    }
-    return registers[tape.roots[0]];
 }
 
 struct Tally {

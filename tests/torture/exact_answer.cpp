@@ -24,6 +24,7 @@ const std::map<std::string, ExactShape>& table() {
         {"even_roots/plane_squared", ExactPlane{{1, 2, 3}, 0}},
         {"even_roots/ridge_of_an_exponential", ExactPlane{{1, 0, 1}, 0}},
         {"even_roots/sphere_lifted", ExactNothing{}},
+        {"even_roots/sphere_multiplied_out", ExactSphere{}},
         {"even_roots/sphere_squared", ExactSphere{}},
         {"exponentials/large_factor", ExactSphere{}},
         {"exponentials/saturated", ExactSphere{}},
