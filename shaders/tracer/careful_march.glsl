@@ -6,12 +6,17 @@
 // being zero. The loop that makes the strides is kept small, since many lanes go through it together;
 // what is behind its end is asked afterwards.
 
+// A surface that is near counts if the ray comes as close as this part of epsilon; else the ray goes on with
+// that in place of epsilon, and by so much more with each step that it stays near.
+const real zs_closest = 1.0 / 32.0, zs_patience = 1.02;
+
 Trace trace(real3 o, real3 d, real t0, real t1) {
     Trace result = Trace(zs_unresolved, t0, -1, false, false, 0);
     field_start(o, d, t0, t1);
     int limit = int(frame.march.x);
-    real t = t0, before = t0, free = 0.0;
+    real t = t0, before = t0, free = 0.0, near_free = 0.0;
     int undefined_before = 0;
+    real part = 1.0;       // of epsilon: less where the ray may pass something by
     bool grazing = false;  // what is near comes closer only behind the end
     // Once for most rays; again behind a pole, or from the edge of a domain.
     for (int round = 0; round <= limit; ++round) {
@@ -36,7 +41,10 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             field_accept();
             ++result.steps;
             real epsilon = march_epsilon(t);
+            part = a.free > epsilon ? 1.0 : min(zs_patience * part, 1.0);
+            epsilon *= part;
             before = t;
+            near_free = a.free;
             free = max(a.free, min(epsilon, zs_wall + least_step(t)));
             // Near a pole the estimate is small as well, but there |f| grows.
             if (!grazing && a.free < epsilon && a.distance < epsilon && a.value * a.rate <= 0.0 &&
@@ -69,7 +77,8 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         }
         bool at_start = event == zs_crossed && result.steps == 0;
         certify_end();
-        Settled settled = settle(o, d, event, before, t, undefined_before, at_start);
+        Settled settled = settle(o, d, event, before, t, undefined_before, at_start,
+                                 part < 1.0 ? zs_far : zs_closest * march_epsilon(before));
         t = settled.t;
         if (settled.surface && t > t1) {
             // There may be another surface on the way.
@@ -85,6 +94,11 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
             result.turned = settled.answer.turned;
             result.cap = at_start;
             return result;
+        }
+        if (settled.passing) {
+            part = zs_closest;
+            t += max(near_free, part * march_epsilon(t));
+            continue;
         }
         certify_passing();
         before = t;

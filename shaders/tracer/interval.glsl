@@ -51,8 +51,8 @@ Settled settle_part(real3 o, real3 d, real2 part, real t0, bool smallest) {
         part.y = part.x;
         event = zs_near;
     }
-    if (event == zs_lost) return Settled(false, part.y, first);
-    return settle(o, d, event, part.x, part.y, 0, at_start);
+    if (event == zs_lost) return Settled(false, false, part.y, first);
+    return settle(o, d, event, part.x, part.y, 0, at_start, zs_far);
 }
 
 Trace trace(real3 o, real3 d, real t0, real t1) {

@@ -19,8 +19,6 @@ constexpr auto known_failures = std::to_array<KnownFailure>({
     {"quotient_of_sheets", 20},
     {"wall_at_a_jump", 625},
     {"wall_at_a_sign", 5345},
-    // A hit where the ray passes by a sharp rim.
-    {"box_without_sphere", 2},
 });
 
 }  // namespace
