@@ -216,6 +216,10 @@ private:
             return std::nullopt;
         }
         const NodeId growth = use_growth();
+        const auto* vector = std::get_if<VectorValue>(&turns_.orbit);
+        turns_.iteration.is_koebe =
+            turns_.next && how->by_power && vector &&
+            (vector->algebra == Algebra::complex || vector->algebra == Algebra::quaternion);
         return passes::distance_estimate(graph(), turns_.iteration, *length_, *how, growth);
     }
 

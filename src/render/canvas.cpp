@@ -90,6 +90,11 @@ void set_state(const Gl& gl) {
           GL_MULTISAMPLE, GL_RASTERIZER_DISCARD, GL_SAMPLE_MASK, GL_STENCIL_TEST})
         gl.Disable(capability);
     gl.Enable(GL_SCISSOR_TEST);
+    // This blending changes nothing. But without any, llvmpipe compiles each fragment shader a second
+    // time, for what no edge of a triangle crosses. Only the first target: others hold infinities.
+    gl.Enablei(GL_BLEND, 0);
+    gl.BlendFunc(GL_ONE, GL_ZERO);
+    gl.BlendEquation(GL_FUNC_ADD);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
@@ -247,6 +252,7 @@ void Canvas::draw_from(Pass first, const Canvas& kept, const Program& program, c
     gl.BindVertexArray(0);
     gl.UseProgram(0);
     gl.Disable(GL_SCISSOR_TEST);
+    gl.Disable(GL_BLEND);
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
 }
 

@@ -128,29 +128,55 @@ private:
         return text;
     }
 
-    std::string turns() {
-        std::string text =
-            fmt::format("    int left = int({} + 0.5);\n", values_.expression(iteration_.limit));
-        text += iteration_.escape ? test("    ", "real ") : "    inside = false;\n";
+    /// One more turn of the state, where `goes_on` is empty or holds, and what is carried of it.
+    std::string turn(const char* indent, std::string_view goes_on) {
         const ExpressionWriter::Scope outside = writer_.scope();
         for (std::size_t i = 0; i < carried_.size(); ++i) {
             writer_.know(carried_[i], fmt::format("c{}", i));
         }
-        const ExpressionWriter::Scope known = writer_.scope();
-        text += fmt::format("    if (left > 0{}) {{\n        while (true) {{\n",
-                            iteration_.escape ? " && inside" : "");
-        const char* indent = "            ";
-        text += writer_.statements(steps_, indent);
+        std::string text = writer_.statements(steps_, indent);
         for (const std::size_t i : state_) {
             text += fmt::format("{}real next{} = {};\n", indent, i,
                                 writer_.spelling(iteration_.step[i]));
         }
-        for (const std::size_t i : state_) text += fmt::format("{0}s{1} = next{1};\n", indent, i);
+        for (const std::size_t i : state_) {
+            text += goes_on.empty()
+                        ? fmt::format("{0}s{1} = next{1};\n", indent, i)
+                        : fmt::format("{0}s{1} = {2} ? next{1} : s{1};\n", indent, i, goes_on);
+        }
         writer_.return_to(outside);
-        text += test(indent, "");
+        return text + test(indent, "");
+    }
+
+    /// Where lanes share their code, a branch for each turn costs as much as a small turn itself.
+    /// Of two turns to a branch the second changes nothing where the first was the last.
+    bool is_small() const {
+        std::vector<NodeId> roots = steps_;
+        if (!iteration_.escape) return false;
+        roots.push_back(*iteration_.escape);
+        constexpr std::ptrdiff_t most_operations = 32;
+        return std::ranges::count_if(reachable(graph_, roots), [&](NodeId id) {
+                   return on_state_[index(id)] && !graph_[id].args().empty();
+               }) <= most_operations;
+    }
+
+    std::string turns() {
+        std::string text =
+            fmt::format("    int left = int({} + 0.5);\n", values_.expression(iteration_.limit));
+        text += iteration_.escape ? test("    ", "real ") : "    inside = false;\n";
+        text += fmt::format("    if (left > 0{}) {{\n        while (true) {{\n",
+                            iteration_.escape ? " && inside" : "");
+        const char* indent = "            ";
+        text += turn(indent, "");
+        if (is_small()) {
+            text += fmt::format("{0}bool again = --left > 0 && inside;\n{0}{{\n", indent);
+            text += turn("                ", "again") + fmt::format("{}}}\n", indent);
+        }
         text += fmt::format("{}if (--left <= 0{}) break;\n        }}\n    }}\n", indent,
                             iteration_.escape ? " || !inside" : "");
-        writer_.return_to(known);
+        for (std::size_t i = 0; i < carried_.size(); ++i) {
+            writer_.know(carried_[i], fmt::format("c{}", i));
+        }
         return text;
     }
 
