@@ -17,3 +17,8 @@ real3 region_normal(real3 p) {
     return a.x == most ? real3(sign(q.x), 0.0, 0.0)
                        : (a.y == most ? real3(0.0, sign(q.y), 0.0) : real3(0.0, 0.0, sign(q.z)));
 }
+
+// How far the region is from a point, 0 inside.
+real region_distance(real3 p) {
+    return length(max(abs(p - frame.bounds_centre.xyz) - frame.bounds_half.xyz, 0.0));
+}

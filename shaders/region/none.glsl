@@ -7,3 +7,5 @@ bool region_part(real3 o, real3 d, out real t0, out real t1) {
 
 // There is no wall; only an eye inside a solid asks.
 real3 region_normal(real3 p) { return normalize(frame.eye.xyz - p); }
+
+real region_distance(real3 p) { return 0.0; }

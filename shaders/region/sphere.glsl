@@ -13,3 +13,8 @@ bool region_part(real3 o, real3 d, out real t0, out real t1) {
 
 // The outward normal of the wall near a point on it.
 real3 region_normal(real3 p) { return normalize(p - frame.bounds_centre.xyz); }
+
+// How far the region is from a point, 0 inside.
+real region_distance(real3 p) {
+    return max(distance(p, frame.bounds_centre.xyz) - frame.bounds_half.x, 0.0);
+}

@@ -136,6 +136,8 @@ TEST_F(CanvasTest, state_left_by_others_does_not_reach_the_pixels) {
     for (GLenum capability : {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST,
                               GL_COLOR_LOGIC_OP, GL_RASTERIZER_DISCARD, GL_FRAMEBUFFER_SRGB})
         gl.Enable(capability);
+    gl.BlendFunc(GL_DST_COLOR, GL_ONE);
+    gl.BlendEquation(GL_MAX);
     gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     gl.Viewport(1, 1, 2, 2);
