@@ -90,8 +90,9 @@ void set_state(const Gl& gl) {
           GL_MULTISAMPLE, GL_RASTERIZER_DISCARD, GL_SAMPLE_MASK, GL_STENCIL_TEST})
         gl.Disable(capability);
     gl.Enable(GL_SCISSOR_TEST);
-    // This blending changes nothing. But without any, llvmpipe compiles each fragment shader a second
-    // time, for what no edge of a triangle crosses. Only the first target: others hold infinities.
+    // This blending changes nothing. But without any, llvmpipe compiles each fragment shader a
+    // second time, for what no edge of a triangle crosses. Only the first target: others hold
+    // infinities.
     gl.Enablei(GL_BLEND, 0);
     gl.BlendFunc(GL_ONE, GL_ZERO);
     gl.BlendEquation(GL_FUNC_ADD);

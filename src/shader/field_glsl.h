@@ -43,24 +43,28 @@ struct FieldGlsl {
 };
 
 /// Writes, for the tree and each leaf (object 0, 1, ... from left to right):
-///   zs_has_edges                    whether a leaf may be undefined somewhere
-///   zs_has_rates                    whether every answer has a derivative along the ray
-///   zs_is_koebe                     whether every answer is a distance, or field::Iteration::is_koebe
-///   zs_longer_steps          how many times as long as `free` a shadow ray's steps may be
-///   zs_objects                      how many leaves there are
-///   void field_start(o, d, t0, t1)  before a ray, of which only [t0, t1] will be asked for
-///   Answer field(o, d, t)           the answer of the whole tree at o + t d, along the unit vector
-///   d void field_accept()             after the ray has gone on to the point last asked for void
-///   field_forget()             before the ray goes on elsewhere: as if none had been asked for
-///   real3 object_gradient(i, p, h)  the gradient of a leaf, by differences over h if it is an
-///                                   iteration, or of the blend that it is part of
-///   real object_distance(i, p)      the value of an iteration or blend; only if there are any
-///   bool object_is_zero(i, p, off)  whether the value of a leaf is within its rounding error of 0
-///   at
-///                                   p, whose coordinates are off by that much, or no bound of it
-///                                   is known; only if is_regular
-///   bool object_colour(i, p, colour)  a leaf's own colour, if it has one; only if some leaf has
-///   Enclosure enclose(o, d, t)      the whole tree over the interval t of the ray; only on demand
+///   zs_has_edges     whether a leaf may be undefined somewhere
+///   zs_has_rates     whether every answer has a derivative along the ray
+///   zs_is_koebe      whether every answer is a distance, or an iteration's that is_koebe
+///   zs_longer_steps  how many times as long as `free` a shadow ray's steps may be
+///   zs_objects       how many leaves there are
+///   void field_start(o, d, t0, t1)
+///                    before a ray, of which only [t0, t1] will be asked for
+///   Answer field(o, d, t)
+///                    the answer of the whole tree at o + t d, along the unit vector d
+///   void field_accept()
+///                    after the ray has gone on to the point last asked for
+///   void field_forget()
+///                    before the ray goes on elsewhere: as if none had been asked for
+///   real3 object_gradient(i, p, h)
+///                    the gradient of a leaf, by differences over h if it is an iteration, or of
+///                    the blend that it is part of
+///   real object_distance(i, p)
+///                    the value of an iteration or blend; only if there are any
+///   bool object_colour(i, p, colour)
+///                    a leaf's own colour, if it has one; only if some leaf has
+///   Enclosure enclose(o, d, t)
+///                    the whole tree over the interval t of the ray; only on demand
 /// The field's graph gets the derivatives' nodes, hence the copy.
 /// `bricks` are the formulas that are known brick by brick.
 FieldGlsl field_glsl(field::Field field, bool count_evaluations, const Demands& demands = {},
