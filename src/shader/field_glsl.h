@@ -61,6 +61,10 @@ struct FieldGlsl {
 ///                    the blend that it is part of
 ///   real object_distance(i, p)
 ///                    the value of an iteration or blend; only if there are any
+///   bool object_is_zero(i, p, off)
+///                    whether the value of a leaf is within its rounding error of 0 at p, whose
+///                    coordinates are off by that much, or no bound of it is known; only if
+///                    is_regular
 ///   bool object_colour(i, p, colour)
 ///                    a leaf's own colour, if it has one; only if some leaf has
 ///   Enclosure enclose(o, d, t)
