@@ -6,10 +6,11 @@
 real certified_step(real v, real slope, real first, real3 bounds) {
     real s = v * bounds.x;
     if (bounds.y >= 0.0) {
-        real root = sqrt(slope * slope + 2.0 * bounds.y * v);
+        // Not 0, where nothing but that says how far a constant keeps its sign.
+        real most = max(bounds.y, 1e-30), root = sqrt(slope * slope + 2.0 * most * v);
         // For a falling |f| the second form: the first would cancel.
         bool falls = slope < 0.0;
-        real ahead = (falls ? 2.0 * v : slope + root) / (falls ? root - slope : max(bounds.y, 1e-30));
+        real ahead = (falls ? 2.0 * v : slope + root) / (falls ? root - slope : most);
         s = max(s, min(ahead, zs_far));
     }
     if (bounds.z > 0.0) {

@@ -1,8 +1,11 @@
+#include "tracer/stride.glsl"
+
 // Between lo (outside) and hi (inside) the answer changes its sign; the bracket shrinks around that.
 struct Bracket {
     real lo, hi;
     Answer outside, inside;
     real first_value;  // |f| at the outer end when the bracket was made
+    real wall;         // how far ahead of the outer end f is known to jump
     int asked;         // how many answers it has got: first that at lo, then that at hi
 };
 
@@ -10,6 +13,7 @@ Bracket bracket_between(real lo, real hi) {
     Bracket b;
     b.lo = lo;
     b.hi = hi;
+    b.wall = zs_far;
     b.asked = 0;
     return b;
 }
@@ -33,6 +37,7 @@ void bracket_add(inout Bracket b, real t, Answer a) {
     } else {
         b.lo = t;
         b.outside = a;
+        b.wall = zs_wall;
     }
 }
 
@@ -51,6 +56,9 @@ bool bracket_is_surface(Bracket b) {
     if (isinf(fa) || isinf(fb)) return false;
     bool pole = fa * b.outside.rate > 0.0 && fb * b.inside.rate < 0.0 && abs(fa) >= b.first_value;
     real nearest = min(abs(b.outside.distance), abs(b.inside.distance));
-    bool jump = fa != 0.0 && !(nearest <= max(16.0 * (b.hi - b.lo), pixel_footprint(b.hi)));
+    // Where f is known to jump it is no noise that keeps it away from 0.
+    bool walled = b.wall <= b.hi - b.lo + least_step(b.hi);
+    real most = max(16.0 * (b.hi - b.lo), walled ? 0.0 : pixel_footprint(b.hi));
+    bool jump = fa != 0.0 && !(nearest <= most);
     return !pole && !jump;
 }

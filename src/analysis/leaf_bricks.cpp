@@ -85,9 +85,9 @@ double median_magnitude(Evaluators& evaluators, const Cell& cell) {
 }
 
 /// `typical` is a usual |f|.
-BrickBounds bounds_of(const Jet& f, double typical, double brick_size) {
+BrickBounds bounds_of(const Jet& f, double typical, double brick_size, bool walls_known) {
     BrickBounds bounds;
-    bounds.breaks = may_break_on(f.value);
+    bounds.breaks = walls_known ? f.value.partial : may_break_on(f.value);
     bounds.lipschitz = gradient_bound_on(f);
     bounds.second_derivative = second_derivative_bound_on(f, 0);
     const double step =
@@ -100,7 +100,7 @@ BrickBounds bounds_of(const Jet& f, double typical, double brick_size) {
 
 LeafBricks leaf_bricks(const field::Field& field, field::FieldId id, const eval::Tape& f,
                        std::span<const double> parameters, const Region& region,
-                       const BrickEffort& effort) {
+                       const BrickEffort& effort, bool walls_known) {
     LeafBricks result{bricks(field, id, parameters, region, effort), {}};
     Bricks& found = result.bricks;
     const auto jet_operations = [&] {
@@ -122,8 +122,8 @@ LeafBricks leaf_bricks(const field::Field& field, field::FieldId id, const eval:
             if (!cell) return;
             const Jet jet = evaluators.over(*cell);
             BrickBounds& bounds = result.bounds[place];
-            bounds = bounds_of(jet, median_magnitude(evaluators, *cell), size);
-            if (bounds.breaks || !std::isfinite(bounds.lipschitz)) return;
+            bounds = bounds_of(jet, median_magnitude(evaluators, *cell), size, walls_known);
+            if (may_break_on(jet.value) || !std::isfinite(bounds.lipschitz)) return;
             const Interval value = mean_value(*cell, jet, evaluators.at(cell->middle()));
             if (value.is_empty() || value.partial || value.contains(0)) return;
             brick = sheet || value.lo > 0 ? Brick::outside : Brick::inside;

@@ -13,6 +13,7 @@
 #include "analysis/uniform_curvature.h"
 #include "field/overloaded.h"
 #include "field/parts.h"
+#include "passes/jump_walls.h"
 
 namespace compile {
 namespace {
@@ -156,8 +157,10 @@ std::shared_ptr<const shader::BrickTexels> brick_texels(const field::Field& fiel
     const auto nothing = [](Brick brick) { return brick == Brick::outside; };
     std::vector<KnownGrid> known;
     for (const FieldId id : leaves) {
+        const graph::NodeId value = std::get<field::Formula>(field[id]).value;
         LeafBricks leaf =
-            analysis::leaf_bricks(field, id, tapes.formulas.at(id), parameters, region, effort);
+            analysis::leaf_bricks(field, id, tapes.formulas.at(id), parameters, region, effort,
+                                  passes::jumps_at_planes(field.graph, value));
         std::vector<int> steps = bricks_to_others(leaf.bricks, no_surface);
         known.push_back({leaf.bricks.grid, std::move(steps), std::move(leaf.bounds)});
     }

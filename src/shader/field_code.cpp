@@ -11,6 +11,7 @@
 
 #include "analysis/running_error.h"
 #include "passes/differentiate.h"
+#include "passes/jump_walls.h"
 #include "passes/operation_count.h"
 #include "passes/pipeline.h"
 #include "passes/polynomial_along.h"
@@ -168,6 +169,12 @@ void FieldCode::differentiate() {
     breaks = !minima.empty() || may_break(field.graph, formula_values);
     const auto found = passes::gradients(field.graph, formula_values);
     for (std::size_t i = 0; i < formulas.size(); ++i) gradients[formulas[i]] = found[i];
+    for (std::size_t i = 0; i < formulas.size(); ++i) {
+        auto walls = passes::jump_walls(field.graph, formula_values[i]);
+        if (walls.empty()) continue;
+        jump_rates[formulas[i]] = passes::gradients(field.graph, walls);
+        jump_walls[formulas[i]] = std::move(walls);
+    }
     for (const FieldId id : plan.cells) {
         const auto& cells = std::get<field::Cells>(field[id]);
         const auto turn = passes::gradients(field.graph, cells.point);
@@ -237,6 +244,8 @@ void FieldCode::make_cheap() {
     for (auto& [id, hessian] : hessians) add(hessian);
     for (auto& [id, rows] : turns) std::ranges::for_each(rows, add);
     for (auto& [id, rates] : wall_rates) std::ranges::for_each(rates, add);
+    for (auto& [id, rates] : jump_rates) std::ranges::for_each(rates, add);
+    for (auto& [id, walls] : jump_walls) add(walls);
     for (auto& [id, gradient] : displacements) add(gradient);
     for (auto& [id, list] : minima_weights) {
         for (auto& [variable, weight] : list) places.push_back(&weight);

@@ -56,13 +56,15 @@ struct FieldCode {
     /// numbers of their families.
     std::map<std::size_t, std::map<graph::VariableId, std::size_t>> minima;
     std::map<field::FieldId, std::map<graph::VariableId, graph::NodeId>> minima_weights;
-    std::map<field::FieldId, Gradient> gradients;                  ///< of formulas
-    std::map<field::FieldId, Hessian> hessians;                    ///< of those that ask for one
-    std::map<field::FieldId, std::array<Gradient, 3>> turns;       ///< of the points of cells
-    std::map<field::FieldId, std::vector<Gradient>> wall_rates;    ///< of the walls of cells
-    std::map<field::FieldId, std::vector<graph::NodeId>> weights;  ///< of a blend's operands
-    std::map<field::FieldId, Gradient> displacements;              ///< of blends that have one
-    std::map<std::size_t, std::vector<graph::NodeId>> along;       ///< of objects: coefficients
+    std::map<field::FieldId, Gradient> gradients;                     ///< of formulas
+    std::map<field::FieldId, Hessian> hessians;                       ///< of those that ask for one
+    std::map<field::FieldId, std::array<Gradient, 3>> turns;          ///< of the points of cells
+    std::map<field::FieldId, std::vector<Gradient>> wall_rates;       ///< of the walls of cells
+    std::map<field::FieldId, std::vector<graph::NodeId>> weights;     ///< of a blend's operands
+    std::map<field::FieldId, Gradient> displacements;                 ///< of blends that have one
+    std::map<field::FieldId, std::vector<graph::NodeId>> jump_walls;  ///< of formulas
+    std::map<field::FieldId, std::vector<Gradient>> jump_rates;       ///< of those
+    std::map<std::size_t, std::vector<graph::NodeId>> along;          ///< of objects: coefficients
     std::array<graph::VariableId, 6> ray{};  ///< what those are made of: a point and a vector
     bool edges = false;                      ///< a formula may be undefined somewhere
     bool breaks = false;                     ///< a formula may jump or have a kink

@@ -108,6 +108,28 @@ std::string region_bounds(FieldCode& code, std::size_t i) {
     return fmt::format("real3({}, {}, {})", lipschitz, second, first);
 }
 
+/// How far along the ray the formula jumps next. True if it jumps anywhere.
+bool write_jumps(FieldCode& code, std::size_t i) {
+    const auto found = code.jump_walls.find(code.plan.objects[i].id);
+    if (found == code.jump_walls.end()) return false;
+    const std::vector<Gradient>& rates = code.jump_rates.at(found->first);
+    std::vector<NodeId> roots = found->second;
+    for (const Gradient& rate : rates) roots.insert(roots.end(), rate.begin(), rate.end());
+    ExpressionWriter w = code.writer();
+    code.out.code += fmt::format("real jump_{}(real3 p, real3 d) {{\n{}    real wall = zs_far;\n",
+                                 i, w.statements(roots, "    "));
+    for (std::size_t k = 0; k < rates.size(); ++k) {
+        code.out.code +=
+            fmt::format("    wall = min(wall, cell_exit({}, dot(real3({}, {}, {}), d)));\n",
+                        w.spelling(found->second[k]), w.spelling(rates[k][0]),
+                        w.spelling(rates[k][1]), w.spelling(rates[k][2]));
+    }
+    code.out.code += "    return wall;\n}\n";
+    code.finish(w);
+    code.needs("leaf/cells.glsl");
+    return true;
+}
+
 /// The answer by value and gradient at the point.
 void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf,
                   std::string_view name) {
@@ -120,10 +142,12 @@ void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf,
                                : grid       ? "brick.bounds"
                                             : region_bounds(code, i);
     const bool sheet = leaf.kind == field::Kind::sheet;
-    const std::string answer =
+    std::string answer =
         sheet ? fmt::format("sheet_answer(f, g, d, {}, side_{}, now_{}, {})", bounds, i, i, i)
               : fmt::format("formula_answer(f, g, d, {}, {})", bounds, i);
     if (sheet) code.out.code += fmt::format("real side_{0} = 0.0, now_{0} = 0.0;\n", i);
+    if (grid) answer = "answer_in_brick(" + answer + ", brick)";
+    if (write_jumps(code, i)) answer = fmt::format("answer_cell({}, jump_{}(p, d))", answer, i);
     code.out.code += fmt::format(
         "Answer {5}_{0}(real3 p, real3 d) {{\n"
         "    real3 g;\n"
@@ -132,8 +156,7 @@ void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf,
         "{4}"
         "    return {1};\n"
         "}}\n",
-        i, grid ? "answer_in_brick(" + answer + ", brick)" : answer,
-        second_order ? "    real m;\n" : "", second_order ? ", m" : "",
+        i, answer, second_order ? "    real m;\n" : "", second_order ? ", m" : "",
         grid ? fmt::format("    Brick brick = brick_at({}, p, d);\n", *grid) : "", name);
     code.needs(sheet ? "leaf/sheet.glsl" : "leaf/formula.glsl");
 }

@@ -193,7 +193,7 @@ void write_tree(FieldCode& code, bool count_evaluations) {
         "{}{}{}{}    return {};\n"
         "}}\n",
         count_evaluations ? "int zs_evaluations = 0;\n" : "",
-        code.plan.cells.empty() ? "" : "    zs_wall = zs_far;\n",
+        code.plan.cells.empty() && code.jump_walls.empty() ? "" : "    zs_wall = zs_far;\n",
         count_evaluations ? "    ++zs_evaluations;\n" : "",
         code.along.empty() ? "" : "    real s = (t - zs_middle) * zs_half_inverse;\n", tree.body(),
         root);

@@ -70,7 +70,7 @@ class Statistics(Folder):
 
     def test_say_why_something_is_not_proven(self):
         for formula, reason in (("1/z = x", "a pole or the edge of a domain"),
-                                ("floor(z) + 0.5 = x", "a jump"),
+                                ("floor(z*y) + 0.5 = x", "a jump"),
                                 ("mandelbulb(8, 2)", "an estimate of an iteration")):
             result = run("render", "--formula", formula, "--size", "8x6", "--stats", "-")
             stats = json.loads(result.stdout)

@@ -62,7 +62,9 @@ TEST(StepRules, count_bricks_where_steps_are_guesses) {
     EXPECT_EQ(describe(pole), "by bounds brick by brick: a pole or the edge of a domain in " +
                                   std::to_string(pole.doubtful) + " of " +
                                   std::to_string(pole.bricks) + " bricks");
-    EXPECT_EQ(rules("floor(x) + 0.5 = y")[0].doubt, StepRule::Doubt::jumps);
+    EXPECT_EQ(rules("floor(x*z) + 0.5 = y")[0].doubt, StepRule::Doubt::jumps);
+    // At planes a step ends.
+    EXPECT_TRUE(rules("floor(x) + 0.5 = y")[0].proven());
     const StepRule endless = rules("exp(x) = y", {}, scene::Bounds::Shape::none)[0];
     EXPECT_EQ(describe(endless), "by bounds brick by brick: no bounds of the region");
 }
