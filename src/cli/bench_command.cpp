@@ -68,7 +68,7 @@ struct Run {
 /// Measures one preset after the other and prints each at once.
 base::Result<Run> measure_all(const BenchOptions& options,
                               const std::vector<bench::NamedFile>& files) {
-    auto context = options.backend == "egl" ? render::open_egl() : render::open_osmesa();
+    auto context = render::open_headless(options.backend);
     if (!context) return context.problems();
     Run run;
     bench::Report& report = run.report;

@@ -136,7 +136,7 @@ int render_command(const InputOptions& input_options, const RenderOptions& optio
          {outputs.picture, outputs.depth, outputs.normal, outputs.certificate, outputs.stats}) {
         if (!path.empty() && path != "-" && !done(check_writable(path))) return failed;
     }
-    auto context = options.backend == "egl" ? render::open_egl() : render::open_osmesa();
+    auto context = render::open_headless(options.backend);
     if (!context) {
         report(context.problems());
         return failed;

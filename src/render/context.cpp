@@ -2,6 +2,8 @@
 // What all contexts have in common.
 #include "render/context.h"
 
+#include <fmt/format.h>
+
 namespace render {
 
 std::string Context::renderer() const {
@@ -18,6 +20,12 @@ int Context::largest_size() const {
     GLint size = 0;
     gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
     return size;
+}
+
+base::Result<std::unique_ptr<Context>> open_headless(std::string_view backend) {
+    if (backend == "osmesa") return open_osmesa();
+    if (backend == "egl") return open_egl();
+    return base::error(fmt::format("no backend is named {}; take osmesa or egl", backend));
 }
 
 }  // namespace render

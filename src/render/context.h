@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
 #include "render/gl.h"
@@ -39,6 +40,9 @@ base::Result<std::unique_ptr<Context>> open_osmesa();
 
 /// Off-screen through EGL without a surface: a real GPU where there is one. Current on return.
 base::Result<std::unique_ptr<Context>> open_egl();
+
+/// One of the two above by its name, "osmesa" or "egl".
+base::Result<std::unique_ptr<Context>> open_headless(std::string_view backend);
 
 /// Wraps a window's context, which must be current; `load` is the window library's
 /// getProcAddress, `make_current(window)` and `make_current(nullptr)` change the thread's context.

@@ -10,6 +10,7 @@
 #include "contract/glsl_values.h"
 #include "contract/operator_table.h"
 #include "eval/operators.h"
+#include "headless.h"
 
 namespace contract {
 namespace {
@@ -44,7 +45,7 @@ class Doubles : public testing::TestWithParam<Op> {};
 TEST_P(Doubles, are_as_exact_as_promised) {
     const Op op = GetParam();
     const Row& row = *analysis::accuracy_of(op);
-    const auto context = render::open_osmesa();
+    const auto context = open_headless();
     ASSERT_TRUE(context) << context.problems()[0].message;
     Random random(seed);
     std::vector<Arguments> places = random_arguments(row, random_places, random);

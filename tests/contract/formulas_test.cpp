@@ -14,6 +14,7 @@
 #include "contract/running_error.h"
 #include "eval/random_expression.h"
 #include "graph/print.h"
+#include "headless.h"
 #include "passes/pipeline.h"
 
 namespace contract {
@@ -112,7 +113,7 @@ void print_tally(const char* name, const Tally& tally) {
 class Formulas : public testing::Test {
 protected:
     void SetUp() override {
-        auto opened = render::open_osmesa();
+        auto opened = open_headless();
         ASSERT_TRUE(opened) << opened.problems()[0].message;
         context = std::move(*opened);
     }

@@ -12,6 +12,7 @@
 #include "contract/glsl_values.h"
 #include "contract/operator_table.h"
 #include "eval/operators.h"
+#include "headless.h"
 #include "shader/assembly.h"
 #include "shader/interval_writer.h"
 
@@ -124,7 +125,7 @@ TEST_P(IntervalsInGlsl, enclose_every_value) {
     const Op op = GetParam();
     const Row* row = analysis::accuracy_of(op);
     ASSERT_NE(row, nullptr);
-    const auto context = render::open_osmesa();
+    const auto context = open_headless();
     ASSERT_TRUE(context) << context.problems()[0].message;
     Random random(seed);
     const std::vector<Arguments> list = random_boxes(*row, random);

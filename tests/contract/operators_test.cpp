@@ -15,6 +15,7 @@
 #include "contract/glsl_values.h"
 #include "contract/operator_table.h"
 #include "eval/operators.h"
+#include "headless.h"
 
 namespace contract {
 namespace {
@@ -130,7 +131,7 @@ TEST_P(Operators, intervals_contain_the_value_in_double_precision) {
 }
 
 TEST_P(Operators, glsl_is_as_exact_as_promised_and_undefined_at_the_same_places) {
-    const auto context = render::open_osmesa();
+    const auto context = open_headless();
     ASSERT_TRUE(context) << context.problems()[0].message;
     const std::vector<Arguments> list = places(*row);
     const auto found = glsl_values(**context, operator_program(row->op), list);

@@ -10,6 +10,7 @@
 
 #include "base/file.h"
 #include "compile/compile.h"
+#include "headless.h"
 #include "image/compare.h"
 #include "image/png.h"
 #include "render/frame.h"
@@ -47,7 +48,7 @@ base::Result<image::Picture> draw(const fs::path& path) {
     document.settings.grid = false;
     const auto formula = compile::compile_formula(document.formula);
     if (!formula) return formula.problems();
-    auto context = render::open_osmesa();
+    auto context = open_headless();
     if (!context) return context.problems();
     const shader::Outputs outputs;
     const shader::ProgramSource source = compile::program_source(*formula, document, outputs);

@@ -44,7 +44,7 @@ protected:
                 const auto column = static_cast<float>((view.x + x) / 8);
                 const auto row = static_cast<float>((view.y + y) / 8);
                 ASSERT_EQ(std::tie(pixel[0], pixel[1]), std::tie(column, row)) << x << "," << y;
-                ASSERT_EQ(pixel[2], 8 * column / static_cast<float>(view.width));
+                ASSERT_FLOAT_EQ(pixel[2], 8 * column / static_cast<float>(view.width));
                 ASSERT_EQ(pixel[3], 0.625F);
             }
     }

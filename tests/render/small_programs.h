@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "headless.h"
 #include "render/context.h"
 #include "render/frame.h"
 #include "shader/program_source.h"
@@ -81,7 +82,7 @@ inline constexpr shader::Outputs everything{true, true, true, false};
 class WithContext : public testing::Test {
 protected:
     void SetUp() override {
-        auto opened = render::open_osmesa();
+        auto opened = open_headless();
         ASSERT_TRUE(opened) << text(opened);
         context = std::move(*opened);
     }

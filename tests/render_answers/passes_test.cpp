@@ -2,6 +2,7 @@
 // A picture is the same to the last bit, whichever passes of it are taken from an earlier frame,
 // and what is taken from there is not computed again.
 #include "render/passes.h"
+#include "headless.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ protected:
     void SetUp() override {
         document = document_of(
             {"param r = 1\nsphere(r) \\ box(0.6) | x*y = z", sphere_bounds(2), camera({3, 2, 4})});
-        auto opened = render::open_osmesa();
+        auto opened = open_headless();
         ASSERT_TRUE(opened);
         context = std::move(*opened);
         auto understood = compile::compile_formula(document.formula);

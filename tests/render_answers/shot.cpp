@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render_answers/shot.h"
+#include "headless.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +43,7 @@ render::Still render(const scene::Document& document, const render::View& view,
         ADD_FAILURE() << document.formula << ": " << problems(formula.problems());
         return {};
     }
-    auto context = render::open_osmesa();
+    auto context = open_headless();
     if (!context) {
         ADD_FAILURE() << problems(context.problems());
         return {};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "torture/tracing.h"
+#include "headless.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ oracle::Shot shot_of(const render::Still& still) {
 
 /// One for the whole run: opening it costs more than drawing most scenes.
 render::Context* context() {
-    static const auto context = render::open_osmesa();
+    static const auto context = open_headless();
     if (!context) ADD_FAILURE() << text_of(context.problems());
     return context ? context->get() : nullptr;
 }

@@ -11,7 +11,7 @@ real zs_exp(real x) {
     if (isnan(x)) return x;
     real n = floor(clamp(x, -800.0, 800.0) * 1.4426950408889634lf + 0.5);
     // The first part has 32 bits, so that its product with n is exact.
-    real r = (clamp(x, -800.0, 800.0) - n * 0.6931471803691238lf) - n * 1.9082149292705877e-10lf;
+    precise real r = (clamp(x, -800.0, 800.0) - n * 0.6931471803691238lf) - n * 1.9082149292705877e-10lf;
     real p = 1.0 / 6227020800.0lf;
     p = p * r + 1.0 / 479001600.0lf;
     p = p * r + 1.0 / 39916800.0lf;

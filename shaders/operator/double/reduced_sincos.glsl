@@ -2,7 +2,7 @@
 real zs_reduced_sincos(real x, out real s, out real c) {
     real n = floor(x * 0.6366197723675814lf + 0.5);
     // The first two have 33 bits each, so that their products with n are exact.
-    real a = ((x - n * 1.5707963267341256lf) - n * 6.077100506303966e-11lf) - n * 2.0222662487959506e-21lf;
+    precise real a = ((x - n * 1.5707963267341256lf) - n * 6.077100506303966e-11lf) - n * 2.0222662487959506e-21lf;
     if (abs(a) > 1.0) a = 0.0;  // no digit is left
     real z = a * a;
     s = 1.0 / 355687428096000.0lf;
