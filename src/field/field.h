@@ -92,13 +92,13 @@ struct Iteration {
     graph::NodeId limit{};  ///< independent of the point; rounded to the nearest whole number
     std::optional<graph::NodeId> escape;
     graph::NodeId distance{};
+    std::optional<Colour> colour{};
+    /// Where a map that is no isometry lies between the point and the distance: what it maps to.
+    std::optional<Image> image{};
     /// The distance is |z| log|z| / 2|z'| of numbers with |ab| = |a||b|, whose |z'| is a bound: the
     /// surface is mostly twice as far. By Koebe's theorem it is one to four times as far, if the
     /// numbers are complex; heuristic for quaternions.
     bool is_koebe = false;
-    std::optional<Colour> colour{};
-    /// Where a map that is no isometry lies between the point and the distance: what it maps to.
-    std::optional<Image> image{};
 };
 
 struct Union {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compile/compile.h"
+#include "headless.h"
 #include "render_answers/shot.h"
 
 namespace render_answers {
@@ -28,7 +29,7 @@ render::Still draw(const Query& query, bool by_bricks) {
     const auto frame_of = [&](const render::View& part) {
         return render::frame(document, camera, part);
     };
-    auto context = render::open_osmesa();
+    auto context = open_headless();
     auto still = render::draw_still(**context, source, numbers, frame_of, view, counted);
     EXPECT_TRUE(still);
     return still ? std::move(*still) : render::Still();

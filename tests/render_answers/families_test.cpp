@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "compile/compile.h"
+#include "headless.h"
 #include "render_answers/shot.h"
 
 namespace render_answers {
@@ -18,7 +19,7 @@ const shader::Outputs everything{.picture = true, .geometry = true, .normal = tr
 /// The whole picture, with the operands of large unions as data or as text.
 render::Still drawn(const scene::Document& document, bool as_text) {
     const auto formula = compile::compile_formula(document.formula);
-    auto context = render::open_osmesa();
+    auto context = open_headless();
     if (!formula || !context) {
         ADD_FAILURE() << document.formula << (formula ? "" : formula.problems()[0].message);
         return {};

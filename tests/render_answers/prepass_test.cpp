@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compile/compile.h"
+#include "headless.h"
 #include "render_answers/shot.h"
 
 namespace render_answers {
@@ -31,7 +32,7 @@ render::Still draw(render::Context& context, const scene::Document& document,
 }
 
 TEST(Prepass, that_cuts_nothing_off_changes_nothing) {
-    auto context = render::open_osmesa();
+    auto context = open_headless();
     ASSERT_TRUE(context);
     for (const char* formula :
          {"(x^2 + y^2 + z^2 + 1 - 0.09)^2 = 4(x^2 + y^2)",
@@ -50,7 +51,7 @@ TEST(Prepass, that_cuts_nothing_off_changes_nothing) {
 }
 
 TEST(Prepass, by_cones_cuts_off_nothing_that_is_seen) {
-    auto context = render::open_osmesa();
+    auto context = open_headless();
     ASSERT_TRUE(context);
     for (const char* formula : {"julia()", "menger(2) \\ sphere(0.9)", "box(1) \\ mandelbulb()",
                                 "scale(menger(2), 0.5) | sphere(0.6)"}) {
