@@ -8,8 +8,8 @@
 //
 // Without, the nearest approach between two points is where the circles around them meet, of their
 // distances (Aaltonen, "GPU-based clay simulation and ray-tracing tech in Claybook", GDC 2018, there for
-// steps as long as the first distance), which takes the bands away. Steps by estimates,
-// which are mostly half of the way, are longer than those and may pass what is thin.
+// steps as long as the first distance), which takes the bands away. Steps by estimates, which are
+// mostly half of the way, are longer than those and may pass what is thin.
 real soft_shadow(real3 o, real3 l, real t0, real t1) {
     real k = frame.march.w;
     real least = 0.128 * frame.forward.w * frame.origin.w;

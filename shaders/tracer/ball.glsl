@@ -28,7 +28,7 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         result.turned = a.turned;
         // Of an estimate the flat surface is twice as far, of a distance as far as it says.
         bool estimate = a.distance > a.free;
-        real epsilon = ball_epsilon(estimate ? zs_is_koebe ? 0.15 : 0.25 : 0.1, t);
+        real epsilon = ball_epsilon(!estimate ? 0.1 : (zs_is_koebe ? 0.15 : 0.25), t);
         real way = t - outside, before = free;
         if (a.free > 0.0) {
             outside = t;
@@ -47,9 +47,10 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         // Rays go nearly to where the shrinking of the balls leads, and may pass what is smaller than the
         // part of the way outside of both balls (heuristic): by a distance within `epsilon` only, by an
         // estimate, which is mostly half of the way, within a pixel, and from everywhere if it is a bound.
-        bool far = a.free > 0.0 && (estimate ? zs_is_koebe || free < pixel_footprint(t)
+        bool led = a.free > 0.0 && (estimate ? zs_is_koebe || free < pixel_footprint(t)
                                              : free < ball_epsilon(1.0, t));
-        t = outside + (far ? clamp(0.9 * rest, free, (estimate ? zs_is_koebe ? 2.2 : 1.8 : 4.0) * free) : free);
+        real most = !estimate ? 4.0 : (zs_is_koebe ? 2.2 : 1.8);
+        t = outside + (led ? clamp(0.9 * rest, free, most * free) : free);
         if (t >= inside) t = 0.5 * (outside + inside);
         if (t > t1) {
             // After a guess the end is looked at too.

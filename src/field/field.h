@@ -96,8 +96,8 @@ struct Iteration {
     /// Where a map that is no isometry lies between the point and the distance: what it maps to.
     std::optional<Image> image{};
     /// The distance is |z| log|z| / 2|z'| of numbers with |ab| = |a||b|, whose |z'| is a bound: the
-    /// surface is mostly twice as far. By Koebe's theorem it is one to four times as far, if the
-    /// numbers are complex; heuristic for quaternions.
+    /// surface is mostly twice as far, and of complex numbers, near the set, once to four times as
+    /// far (Koebe's theorem). Far from the set it is nearer; heuristic for quaternions.
     bool is_koebe = false;
 };
 

@@ -148,8 +148,8 @@ private:
         return text + test(indent, "");
     }
 
-    /// Where lanes share their code, a branch for each turn costs as much as a small turn itself.
-    /// Of two turns to a branch the second changes nothing where the first was the last.
+    /// Whether two turns are made to a branch: where lanes share their code, a branch costs as much
+    /// as a small turn. The second changes nothing where the first was the last.
     bool is_small() const {
         std::vector<NodeId> roots = steps_;
         if (!iteration_.escape) return false;

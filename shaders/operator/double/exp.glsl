@@ -10,7 +10,7 @@ real zs_power_of_two(int n) {
 real zs_exp(real x) {
     if (isnan(x)) return x;
     real n = floor(clamp(x, -800.0, 800.0) * 1.4426950408889634lf + 0.5);
-    // The first part has 32 bits, so that its product with n is exact.
+    // The first part has 32 bits, so that its product with n is exact; precise, so that no driver reorders.
     precise real r = (clamp(x, -800.0, 800.0) - n * 0.6931471803691238lf) - n * 1.9082149292705877e-10lf;
     real p = 1.0 / 6227020800.0lf;
     p = p * r + 1.0 / 479001600.0lf;

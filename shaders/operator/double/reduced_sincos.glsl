@@ -1,7 +1,7 @@
 // As in single precision, by Taylor's series to the 17th and 16th power, which are as exact as the format.
 real zs_reduced_sincos(real x, out real s, out real c) {
     real n = floor(x * 0.6366197723675814lf + 0.5);
-    // The first two have 33 bits each, so that their products with n are exact.
+    // The first two have 33 bits each, so that their products with n are exact; precise, so that no driver reorders.
     precise real a = ((x - n * 1.5707963267341256lf) - n * 6.077100506303966e-11lf) - n * 2.0222662487959506e-21lf;
     if (abs(a) > 1.0) a = 0.0;  // no digit is left
     real z = a * a;
