@@ -46,11 +46,12 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         }
         // Rays go nearly to where the shrinking of the balls leads, and may pass what is smaller than the
         // part of the way outside of both balls (heuristic): by a distance within `epsilon` only, by an
-        // estimate, which is mostly half of the way, within a pixel, and from everywhere if it is a bound.
+        // estimate, which is mostly half of the way, within a pixel, and from everywhere if it is a bound;
+        // by as much as by a distance where what they may pass is as small.
         bool led = a.free > 0.0 && (estimate ? zs_is_koebe || free < pixel_footprint(t)
                                              : free < ball_epsilon(1.0, t));
-        real most = !estimate ? 4.0 : (zs_is_koebe ? 2.2 : 1.8);
-        t = outside + (led ? clamp(0.9 * rest, free, most * free) : free);
+        real most = !estimate || (zs_is_koebe && free < ball_epsilon(4.0, t)) ? 4.0 : (zs_is_koebe ? 2.2 : 1.8);
+        t = outside + (led ? clamp((estimate ? 0.8 : 0.9) * rest, free, most * free) : free);
         if (t >= inside) t = 0.5 * (outside + inside);
         if (t > t1) {
             // After a guess the end is looked at too.
