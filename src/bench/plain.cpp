@@ -147,7 +147,8 @@ void add_start(shader::Assembly& assembly, const Subject& subject, const shader:
             "layout(location = 2) out vec4 normal_out;\n");
     }
     assembly.add_part("common/real.glsl");
-    assembly.add_part("common/frame.glsl");
+    assembly.add_part("common/frame_uniform.glsl");
+    assembly.add_part("common/ray.glsl");
     const auto shape = subject.document.bounds.shape;
     assembly.add_part(shape == scene::Bounds::Shape::sphere ? "region/sphere.glsl"
                       : shape == scene::Bounds::Shape::box  ? "region/box.glsl"

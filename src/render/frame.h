@@ -41,12 +41,12 @@ struct Frame {
     glm::dvec4 ground;             ///< rgb, number of materials
     glm::dvec4 background_top;     ///< rgb, exposure
     glm::dvec4 background_bottom;  ///< rgb, unused
+    glm::dvec4 passes;  ///< set by Canvas: first pass, pixels kept per pixel along x and y, unused
+    glm::dvec4 origin;  ///< of the program's coordinates, which part of the scene is seen
     std::array<glm::dvec4, max_lights> light_direction;        ///< unit, towards the light; unused
     std::array<glm::dvec4, max_lights> light_colour;           ///< rgb times intensity; unused
     std::array<glm::dvec4, max_materials> material;            ///< rgb, specular strength; repeated
     std::array<glm::dvec4, max_materials> material_shininess;  ///< exponent, three unused
-    glm::dvec4 passes;  ///< set by Canvas: first pass, pixels kept per pixel along x and y, unused
-    glm::dvec4 origin;  ///< of the program's coordinates, which part of the scene is seen
 };
 
 /// Which part of the scene is seen: the distance of the target over half of the diagonal of the

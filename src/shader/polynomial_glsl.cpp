@@ -69,9 +69,6 @@ std::string certified_way(std::size_t degree) {
     text += "    real reach = min(2.0 * parabola_root(v, w, max(k, 0.0)), rest);\n";
     text +=
         fmt::format("    real way = min(parabola_root(v, w, {}), reach);\n", bend(degree, "reach"));
-    text += "    real within = sqrt(way * reach);\n";
-    text += fmt::format("    way = max(way, min(parabola_root(v, w, {}), within));\n",
-                        bend(degree, "within"));
     return text + "    if (way >= rest) way = zs_far;\n";
 }
 
@@ -84,9 +81,13 @@ void write_polynomial(FieldCode& code, std::size_t i) {
     // Not a number is not greater.
     code.out.code += fmt::format(
         "Answer leaf_{0}(real s, real3 p, real3 d) {{\n{1}"
-        "    if (!(abs(b0) > zs_polynomial_error)) return aside_{0}(p, d);\n"
+        "    bool rounded = !(abs(b0) > zs_polynomial_error);\n"
         "{2}"
-        "    if (zs_aside) return answer_along(aside_{0}(p, d), way);\n",
+        "    if (rounded || zs_aside) {{\n"
+        "        Answer a = aside_{0}(p, d);\n"
+        "        if (rounded) return a;\n"
+        "        return answer_along(a, way);\n"
+        "    }}\n",
         i, shifted(i, degree), certified_way(degree));
     const std::string second = degree < 2 ? "0.0" : "b2";
     if (sheet) {

@@ -175,17 +175,58 @@ void add_picture_parts(Assembly& assembly, const Features& features, bool own_co
     assembly.add_part("output/shaded.glsl");
 }
 
+/// Whether the frame's numbers come from the vertex shader: doubles are too many.
+bool has_inputs(const Features& features) { return features.precision != Precision::doubled; }
+
+/// How many vectors hold the field's numbers.
+std::size_t vectors(const FieldGlsl& generated) { return (generated.values.size() + 3) / 4; }
+
+/// Every driver has room for 32 vectors, and the frame takes 14.
+bool values_are_inputs(const FieldGlsl& generated, const Features& features) {
+    constexpr std::size_t most_vectors = 16;
+    return has_inputs(features) && vectors(generated) <= most_vectors;
+}
+
+/// Covers the picture, and hands the numbers on that are inputs of the fragment shaders.
+std::string vertex_text(const FieldGlsl& generated, const Features& features) {
+    Assembly assembly(features.precision);
+    if (!has_inputs(features)) {
+        assembly.add_part("output/vertex.glsl");
+        return assembly.text();
+    }
+    assembly.add_part("output/triangle.glsl");
+    assembly.add_part("common/real.glsl");
+    const std::size_t count = vectors(generated);
+    if (count > 0 && values_are_inputs(generated, features)) {
+        assembly.add_code(
+            fmt::format("layout(std140, binding = 1) uniform Field {{ vec4 values[{0}]; }} "
+                        "field_block;\nflat out vec4 field_values[{0}];\n"
+                        "void pass_field_values() {{ field_values = field_block.values; }}\n",
+                        count));
+    } else {
+        assembly.add_code("void pass_field_values() {}\n");
+    }
+    assembly.add_part("output/vertex_with_frame.glsl");
+    return assembly.text();
+}
+
 /// Numbers, the field's functions, and the bounds: what every program of a field begins with.
 void add_field(Assembly& assembly, const FieldGlsl& generated, const Tracer& tracer,
                const Features& features) {
     assembly.add_code("#version 450 core\n");
     assembly.add_part("common/real.glsl");
-    assembly.add_part("common/frame.glsl");
-    if (!generated.values.empty()) {
-        assembly.add_code(fmt::format(
-            "layout(std140, binding = 1) uniform Field {{ {}vec4 field_values[{}]; }};\n",
-            features.precision == Precision::doubled ? "d" : "",
-            (generated.values.size() + 3) / 4));
+    assembly.add_part(has_inputs(features) ? "common/frame_input.glsl"
+                                           : "common/frame_uniform.glsl");
+    assembly.add_part("common/ray.glsl");
+    if (const std::size_t count = vectors(generated); count > 0) {
+        if (values_are_inputs(generated, features)) {
+            assembly.add_code(fmt::format("flat in vec4 field_values[{}];\n", count));
+        } else {
+            assembly.add_code(
+                fmt::format("layout(std140, binding = 1) uniform Field {{ {}vec4 field_values[{}]; "
+                            "}};\n",
+                            features.precision == Precision::doubled ? "d" : "", count));
+        }
     }
     assembly.add_code(generated.facts);
     assembly.add_part("common/answer.glsl");
@@ -263,10 +304,9 @@ ProgramSource program_source(const field::Field& field, const Features& features
         add_picture_parts(assembly, features, generated.has_colours);
     assembly.add_code(outputs_code(features, prepass));
     assembly.add_part(features.outputs.all() ? "output/passes.glsl" : "output/fragment.glsl");
-    Assembly vertex;
-    vertex.add_part("output/vertex.glsl");
+    std::string vertex = vertex_text(generated, features);
     std::string before = prepass ? prepass_text(generated, tracer, features) : std::string();
-    return {vertex.text(),
+    return {std::move(vertex),
             assembly.text(),
             std::move(generated.values),
             std::move(generated.expressions),

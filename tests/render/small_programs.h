@@ -26,6 +26,7 @@ inline const std::string preamble = R"(#version 450 core
 layout(std140, binding = 0) uniform Frame {
     vec4 eye; vec4 right; vec4 up; vec4 forward; vec4 picture; vec4 bounds_centre; vec4 bounds_half;
     vec4 march; vec4 sky; vec4 ground; vec4 background_top; vec4 background_bottom;
+    vec4 passes; vec4 origin;
     vec4 light_direction[8]; vec4 light_colour[8]; vec4 material[16]; vec4 material_shininess[16];
 };
 layout(std140, binding = 1) uniform FieldValues { vec4 field_values[2]; };
