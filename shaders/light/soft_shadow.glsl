@@ -2,9 +2,9 @@
 // (O 6.3.3, K 112). Heuristic: the distance is a first-order estimate.
 //
 // With derivatives the walk goes by steps that are long but pass nothing, and what counts is where the
-// distance has stopped falling and begun to grow: the least between the two points by a parabola. Where
-// f grows from the start, or is steep without being small, nothing is passed by: it had its maximum there, or
-// falls while the surface seems to be farther than before.
+// distance has stopped falling and begun to grow: it looks back to where a parabola has its least between the
+// two points. Where f grows from the start, or is steep without being small, nothing is passed by: it had its
+// maximum there, or falls while the surface seems to be farther than before.
 //
 // Without, the nearest approach between two points is where the circles around them meet, of their
 // distances (Aaltonen, "GPU-based clay simulation and ray-tracing tech in Claybook", GDC 2018, there for
@@ -16,6 +16,8 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
     int most = min(int(frame.march.x), 128), steps = 0;
     real t = t0, seen = 1.0;
     real before = 0.0, slope_before = 0.0, step = 0.0;
+    // Of a look back: how far to go on from there.
+    real onward = 0.0;
     bool going;
     zs_aside = true;
     field_start(o, l, t0, t1);
@@ -29,13 +31,15 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
         if (zs_has_edges) hit = hit && !(a.sheet && slope_before > 0.0 && a.value * a.rate < 0.0);
         bool steep = slope < 0.0 && (slope_before > 0.0 || (step > 0.0 && h > before));
         if (zs_has_rates) {
-            real part = slope_before / (slope_before - slope);
-            real nearest = mix(before + 0.5 * slope_before * part * step,
-                               h - 0.5 * slope * (1.0 - part) * step, part);
+            bool looks_back = onward > 0.0;
             bool passed = slope_before < 0.0 && slope > 0.0;
-            if (passed) seen = min(seen, k * max(nearest, 0.0) / (t - (1.0 - part) * step));
-            if (!steep && slope < 0.0) seen = min(seen, k * h / t);
-            step = max(a.free, least);
+            if (looks_back || (slope < 0.0 && !steep)) seen = min(seen, k * h / t);
+            real way = max(a.free, least);
+            real nearer = passed ? step * slope / (slope - slope_before) : 0.0;
+            step = looks_back ? onward : (passed ? -nearer : way);
+            onward = passed ? nearer + way : 0.0;
+            // From there on all was seen.
+            if (looks_back) slope = 1.0;
         } else {
             real back = step > 0.0 ? (step * step + h * h - before * before) / (2.0 * step) : 0.0;
             back = clamp(back, 0.0, min(h, step));
@@ -48,7 +52,8 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
         before = h;
         slope_before = slope;
         // What comes closer is looked at once more where it leaves the bounds.
-        going = seen >= 0.01 && t < t1 && (t + step <= t1 || slope < 0.0) && ++steps < most;
+        bool ahead = t < t1 && (t + step <= t1 || slope < 0.0);
+        going = seen >= 0.01 && (ahead || step < 0.0) && ++steps < most;
         step = min(step, t1 - t);
         t += step;
     } while (going);
