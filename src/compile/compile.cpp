@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "compile/compile.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -34,17 +37,15 @@ float inverse_lipschitz(double lipschitz) {
     return lipschitz > 0 ? rounded_down(1 / lipschitz) : 1e30F;
 }
 
-using FamilyHeads = std::vector<std::array<float, shader::family_head_size>>;
-
 /// Where the members of a family are looked at; rays without an end mostly look there as well.
-analysis::Region region_of(const shader::FamilyTable& family, FieldBounds& bounds,
+analysis::Region region_of(const shader::FamilyTree& tree, FieldBounds& bounds,
                            const scene::Bounds& visible) {
-    const std::optional<analysis::Region> region = bounds.region(family.cells);
+    const std::optional<analysis::Region> region = bounds.region(tree.cells);
     const bool bounded = region && std::isfinite(glm::length(region->half + region->centre));
     return bounded ? *region : visible_region(visible);
 }
 
-double number(const FieldValue& value, FieldBounds& bounds, const FamilyHeads& families,
+double number(const FieldValue& value, FieldBounds& bounds, std::span<const FamilyHeads> families,
               double expression) {
     switch (value.what) {
         case FieldValue::What::expression:
@@ -121,12 +122,14 @@ shader::FieldNumbers field_numbers(const Formula& formula, const shader::Program
     std::vector<double> registers;
     eval::evaluate<double>(source.expressions, {}, parameters, expressions, registers);
     FieldBounds bounds(formula.field, formula.tapes, region_of(document.bounds), parameters);
-    FamilyHeads families;
+    std::vector<FamilyHeads> families;
     if (!source.families.empty()) {
         auto texels = std::make_shared<std::vector<float>>();
-        for (const shader::FamilyTable& family : source.families) {
-            const analysis::Region region = region_of(family, bounds, document.bounds);
-            families.push_back(add_family(*texels, family, region, parameters));
+        for (const shader::FamilyTree& tree : source.family_trees) {
+            const std::span tables = std::span(source.families).subspan(tree.first, tree.count);
+            const analysis::Region region = region_of(tree, bounds, document.bounds);
+            std::ranges::copy(add_tree(*texels, tree, tables, region, parameters),
+                              std::back_inserter(families));
         }
         numbers.families = std::move(texels);
     }

@@ -47,6 +47,129 @@ analysis::Region with_margin(const analysis::Region& region) {
     return wider;
 }
 
+analysis::Composition composition(const shader::FamilyTree& tree,
+                                  std::span<const shader::FamilyTable> tables,
+                                  std::span<const double> parameters) {
+    analysis::Composition result;
+    for (const shader::FamilyTable& table : tables) {
+        result.minima.push_back(
+            {operands(table, parameters), width_of(table, parameters), table.variable});
+    }
+    if (tree.outline) result.outline = &*tree.outline;
+    result.parameters = parameters;
+    result.may_be_far = tree.may_be_far;
+    // Where a solid is cut by the bounds, its objects are told apart.
+    result.inside_too = tree.outline.has_value();
+    return result;
+}
+
+/// Writes the texels of a tree behind those of others.
+class TreeTexels {
+public:
+    TreeTexels(std::vector<float>& texels, const shader::FamilyTree& tree,
+               std::span<const shader::FamilyTable> tables, std::span<const double> parameters)
+        : texels_(texels), tree_(tree), tables_(tables) {
+        for (const shader::FamilyTable& table : tables) {
+            first_rows_.push_back(texels.size() / 4);
+            const std::vector<float>& own =
+                rows_.emplace_back(rows(table, numbers_of(table, parameters)));
+            texels.insert(texels.end(), own.begin(), own.end());
+        }
+        heads_ = texels.size() / 4;
+    }
+
+    std::vector<FamilyHeads> add(const analysis::ActiveCells& found) {
+        const std::size_t head = 4 * tree_.head_texels();
+        texels_.resize(texels_.size() + head * (1 + found.cells.size()));
+        std::size_t place = 4 * heads_;
+        set_list(place, first_rows_[0], [&](std::size_t i) { return tables_[i].members.size(); });
+        const std::vector<std::size_t> begins = add_lists(found);
+        for (const analysis::ActiveCells::Cell& cell : found.cells) {
+            place += head;
+            set(place, cell, found, begins);
+        }
+        std::vector<FamilyHeads> result;
+        for (const std::size_t first_row : first_rows_) {
+            result.push_back({static_cast<float>(found.origin.x),
+                              static_cast<float>(found.origin.y),
+                              static_cast<float>(found.origin.z),
+                              static_cast<float>(1 / found.size), static_cast<float>(found.count.x),
+                              static_cast<float>(found.count.y), static_cast<float>(found.count.z),
+                              static_cast<float>(heads_), static_cast<float>(first_row)});
+        }
+        return result;
+    }
+
+private:
+    using Cell = analysis::ActiveCells::Cell;
+
+    /// The head at a place among the floats, for lists of these lengths one after the other.
+    template <class Length>
+    void set_list(std::size_t place, std::size_t begin, Length length) {
+        texels_[place] = static_cast<float>(begin);
+        for (std::size_t i = 0; i < tables_.size(); ++i) {
+            begin += tables_[i].texels * length(i);
+            texels_[place + shader::FamilyTree::end_place(i)] = static_cast<float>(begin);
+        }
+    }
+    void set(std::size_t place, const Cell& cell, const analysis::ActiveCells& found,
+             std::span<const std::size_t> begins) {
+        switch (cell.kind) {
+            case Cell::Kind::everything:
+                std::copy_n(texels_.begin() + static_cast<std::ptrdiff_t>(4 * heads_),
+                            4 * tree_.head_texels(),
+                            texels_.begin() + static_cast<std::ptrdiff_t>(place));
+                return;
+            case Cell::Kind::listed:
+                set_list(place, begins[cell.place],
+                         [&](std::size_t i) { return found.of(cell.place, i).size(); });
+                return;
+            case Cell::Kind::far:
+                for (int i = 0; i < 3; ++i) {
+                    texels_[place + static_cast<std::size_t>(i)] =
+                        static_cast<float>(cell.gradient[i]);
+                }
+                texels_[place + 3] = static_cast<float>(cell.value);
+                return;
+            case Cell::Kind::divided:
+                texels_[place] =
+                    -static_cast<float>(heads_ + tree_.head_texels() * (1 + cell.place));
+                return;
+        }
+    }
+    /// Adds all lists and tells where each begins.
+    std::vector<std::size_t> add_lists(const analysis::ActiveCells& found) {
+        std::vector<std::size_t> begins;
+        const std::size_t lists = (found.begins.size() - 1) / found.minima;
+        for (std::size_t list = 0; list < lists; ++list) {
+            begins.push_back(texels_.size() / 4);
+            for (std::size_t i = 0; i < tables_.size(); ++i) {
+                const auto row = static_cast<std::ptrdiff_t>(4 * tables_[i].texels);
+                for (const std::uint32_t operand : found.of(list, i)) {
+                    const auto begin = rows_[i].begin() + row * operand;
+                    texels_.insert(texels_.end(), begin, begin + row);
+                }
+            }
+        }
+        // Two rows are read at once.
+        texels_.resize(texels_.size() + widest_row());
+        return begins;
+    }
+
+    std::size_t widest_row() const {
+        std::size_t texels = 0;
+        for (const shader::FamilyTable& table : tables_) texels = std::max(texels, table.texels);
+        return 4 * texels;
+    }
+
+    std::vector<float>& texels_;
+    const shader::FamilyTree& tree_;
+    std::span<const shader::FamilyTable> tables_;
+    std::vector<std::vector<float>> rows_;
+    std::vector<std::size_t> first_rows_;
+    std::size_t heads_ = 0;
+};
+
 }  // namespace
 
 analysis::Operands operands(const shader::FamilyTable& table, std::span<const double> parameters) {
@@ -69,41 +192,12 @@ analysis::Operands operands(const shader::FamilyTable& table, std::span<const do
     return result;
 }
 
-std::array<float, shader::family_head_size> add_family(std::vector<float>& texels,
-                                                       const shader::FamilyTable& table,
-                                                       const analysis::Region& region,
-                                                       std::span<const double> parameters) {
-    const analysis::ActiveLists lists =
-        active_lists(operands(table, parameters), with_margin(region), width_of(table, parameters));
-    const std::vector<float> all = rows(table, numbers_of(table, parameters));
-    const std::size_t cells = lists.cells.size(), row = 4 * table.texels;
-    const std::size_t first_row = texels.size() / 4;
-    const std::size_t end_of_rows = first_row + table.texels * table.members.size();
-    const std::size_t end_of_heads = end_of_rows + 1 + cells;
-    texels.reserve(4 * end_of_heads + row * lists.operands.size());
-    texels.insert(texels.end(), all.begin(), all.end());
-    const auto add_head = [&](std::size_t begin, std::size_t end) {
-        texels.insert(texels.end(), {static_cast<float>(begin), static_cast<float>(end), 0, 0});
-    };
-    add_head(first_row, end_of_rows);
-    for (std::size_t i = 0; i < cells; ++i) {
-        if (lists.of(i).empty()) {
-            add_head(first_row, end_of_rows);
-            continue;
-        }
-        const std::size_t list = lists.cells[i];
-        add_head(end_of_heads + table.texels * lists.begins[list],
-                 end_of_heads + table.texels * lists.begins[list + 1]);
-    }
-    for (const std::uint32_t operand : lists.operands) {
-        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(row * operand);
-        texels.insert(texels.end(), begin, begin + static_cast<std::ptrdiff_t>(row));
-    }
-    return {static_cast<float>(lists.origin.x), static_cast<float>(lists.origin.y),
-            static_cast<float>(lists.origin.z), static_cast<float>(1 / lists.size),
-            static_cast<float>(lists.count.x),  static_cast<float>(lists.count.y),
-            static_cast<float>(lists.count.z),  static_cast<float>(end_of_rows),
-            static_cast<float>(first_row)};
+std::vector<FamilyHeads> add_tree(std::vector<float>& texels, const shader::FamilyTree& tree,
+                                  std::span<const shader::FamilyTable> tables,
+                                  const analysis::Region& region,
+                                  std::span<const double> parameters) {
+    TreeTexels made(texels, tree, tables, parameters);
+    return made.add(active_cells(composition(tree, tables, parameters), with_margin(region)));
 }
 
 }  // namespace compile

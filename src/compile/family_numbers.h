@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/active_lists.h"
+#include "analysis/active_cells.h"
 #include "analysis/region.h"
 #include "shader/family_table.h"
 
@@ -16,12 +16,15 @@ namespace compile {
 /// parameters (by ParameterId); the operands refer to the table.
 analysis::Operands operands(const shader::FamilyTable& table, std::span<const double> parameters);
 
-/// Adds the texels of a family to those of others, for members that are looked at in this region
-/// (in the coordinates of its cells), and returns what else the program is told: FamilyHead by
-/// number. Takes milliseconds.
-std::array<float, shader::family_head_size> add_family(std::vector<float>& texels,
-                                                       const shader::FamilyTable& table,
-                                                       const analysis::Region& region,
-                                                       std::span<const double> parameters);
+/// FamilyHead by number.
+using FamilyHeads = std::array<float, shader::family_head_size>;
+
+/// Adds the texels of a tree to those of others, for members that are looked at in this region (in
+/// the coordinates of its cells), and returns what else the program is told of its families, in the
+/// order of `tables`. Takes milliseconds.
+std::vector<FamilyHeads> add_tree(std::vector<float>& texels, const shader::FamilyTree& tree,
+                                  std::span<const shader::FamilyTable> tables,
+                                  const analysis::Region& region,
+                                  std::span<const double> parameters);
 
 }  // namespace compile

@@ -105,18 +105,45 @@ void write_members(FieldCode& code, const CodedFamily& family, std::size_t i) {
     if (family.has_colours()) write(Asked::colour, "real4", "member_colour", "colour");
 }
 
-/// Where the list of the point's cell is.
-std::string list_at_point(FieldCode& code, std::size_t i) {
-    std::array<std::string, 8> head;
-    for (std::size_t k = 0; k < head.size(); ++k) head[k] = code.families[i].heads[k];
-    return fmt::format("family_list(p, real3({}, {}, {}), {}, real3({}, {}, {}), {})", head[0],
-                       head[1], head[2], head[3], head[4], head[5], head[6], head[7]);
+/// How a tree's heads are asked for the cell that `p` is in.
+std::string cell_at_point(FieldCode& code, const FamilyTree& tree) {
+    std::array<std::string, family_head_size - 1> told;
+    for (std::size_t k = 0; k < told.size(); ++k) {
+        told[k] = code.values.bound(
+            {.what = FieldValue::What::family, .family = tree.first, .component = k});
+    }
+    return fmt::format("family_cell(p, real3({}, {}, {}), {}, real3({}, {}, {}), {}, {})", told[0],
+                       told[1], told[2], told[3], told[4], told[5], told[6], told[7],
+                       tree.head_texels());
+}
+
+/// Where one of a tree's lists ends; -1 is where the first one begins.
+std::string list_end(int family) {
+    const std::size_t place =
+        family < 0 ? 0 : FamilyTree::end_place(static_cast<std::size_t>(family));
+    if (place < 4) return fmt::format("int(cell.first.{})", "xyzw"[place]);
+    return fmt::format("int(texelFetch(family_numbers, cell.head + {}).{})", place / 4,
+                       "xyzw"[place % 4]);
+}
+
+/// A far cell has no list: all members.
+std::string list_in_cell(const FieldCode& code, std::size_t family) {
+    const auto tree = std::ranges::find_if(
+        code.trees, [&](const CodedTree& each) { return family - each.it.first < each.it.count; });
+    const int place = static_cast<int>(family - tree->it.first);
+    const CodedFamily& all = code.families[family];
+    const std::string listed = fmt::format("ivec2({}, {})", list_end(place - 1), list_end(place));
+    if (!tree->it.may_be_far) return listed;
+    return fmt::format("cell.first.w == 0.0 ? {0} : ivec2(int({1}), int({1}) + {2})", listed,
+                       all.rows, all.texels * all.it.members.size());
 }
 
 void write_union(FieldCode& code, const CodedFamily& family, std::size_t i) {
     code.out.code += fmt::format(
         "Answer family_{0}(real3 p) {{\n"
-        "    ivec2 list = {1};\n"
+        "    FamilyCell cell = {1};\n"
+        "{4}"
+        "    ivec2 list = ivec2({5}, {6});\n"
         "    real least = zs_far;\n"
         "    int nearest = list.x;\n"
         "    for (int at = list.x; at < list.y; at += {2}) {{\n"
@@ -128,65 +155,103 @@ void write_union(FieldCode& code, const CodedFamily& family, std::size_t i) {
         "    }}\n"
         "    return distance_answer(least, int(texelFetch(family_numbers, nearest + {3}).w));\n"
         "}}\n",
-        i, list_at_point(code, i), family.texels, family.texels - 1);
+        i, code.trees[i].cell, family.texels, family.texels - 1,
+        far_statement(code.trees[i], family.first_object), list_end(-1), list_end(0));
     code.needs("leaf/distance.glsl");
 }
 
-/// The minimum of those in the list, with its gradient on demand.
-void write_minimum(FieldCode& code, const CodedFamily& family, std::size_t i, bool gradient) {
+/// `f` joined with another value, or its part in the gradient.
+std::string joined(FieldCode& code, const CodedFamily& family, std::string_view what,
+                   std::string_view value) {
     const std::string width =
         family.it.width ? fmt::format(", {}", code.writer().spelling(*family.it.width)) : "";
-    const std::string_view kind = family.it.width ? "smooth" : "plain";
+    return fmt::format("{}_{}(f, {}{})", family.it.width ? "smooth" : "plain", what, value, width);
+}
+
+/// The minimum of those in the list, two at a time: a turn of the loop costs as much as a member.
+void write_minimum(FieldCode& code, const CodedFamily& family, std::size_t i) {
     code.out.code += fmt::format(
-        "real minimum_{0}(real3 p{5}) {{\n"
+        "real minimum_{0}(real3 p, FamilyCell cell) {{\n"
         "    ivec2 list = {1};\n"
         "    real f = zs_far;\n"
-        "{6}"
         "    for (int at = list.x; at < list.y; at += {2}) {{\n"
-        "{7}"
-        "        f = {3}_minimum(f, member_{0}(p, at){4});\n"
+        "        real a = member_{0}(p, at), b = member_{0}(p, at + {3});\n"
+        "        f = {4};\n"
+        "        if (at + {3} < list.y) f = {5};\n"
         "    }}\n"
         "    return f;\n"
         "}}\n",
-        i, list_at_point(code, i), family.texels, kind, width, gradient ? ", out real3 g" : "",
-        gradient ? "    g = real3(0.0);\n" : "",
-        gradient ? fmt::format("        g = mix(g, member_gradient_{0}(p, at), "
-                               "{1}_weight(f, member_{0}(p, at){2}));\n",
-                               i, kind, width)
-                 : "");
+        i, list_in_cell(code, i), 2 * family.texels, family.texels,
+        joined(code, family, "minimum", "a"), joined(code, family, "minimum", "b"));
     code.needs("leaf/minimum.glsl");
+}
+
+/// The same with its gradient.
+void write_minimum_gradient(FieldCode& code, const CodedFamily& family, std::size_t i) {
+    code.out.code += fmt::format(
+        "real minimum_{0}(real3 p, FamilyCell cell, out real3 g) {{\n"
+        "    ivec2 list = {1};\n"
+        "    real f = zs_far;\n"
+        "    g = real3(0.0);\n"
+        "    for (int at = list.x; at < list.y; at += {2}) {{\n"
+        "        real a = member_{0}(p, at);\n"
+        "        g = mix(g, member_gradient_{0}(p, at), {3});\n"
+        "        f = {4};\n"
+        "    }}\n"
+        "    return f;\n"
+        "}}\n",
+        i, list_in_cell(code, i), family.texels, joined(code, family, "weight", "a"),
+        joined(code, family, "minimum", "a"));
 }
 
 }  // namespace
 
+std::string far_statement(const CodedTree& tree, std::size_t object) {
+    if (!tree.it.may_be_far) return {};
+    return fmt::format("    if (cell.first.w != 0.0) return family_far(cell, {});\n", object);
+}
+
+const CodedTree* tree_of(const FieldCode& code, std::size_t object) {
+    const auto found = code.minima.find(object);
+    if (found == code.minima.end()) return nullptr;
+    std::size_t family = code.families.size();
+    for (const auto& [variable, number] : found->second) family = std::min(family, number);
+    return &*std::ranges::find_if(code.trees,
+                                  [&](const CodedTree& tree) { return tree.it.first == family; });
+}
+
 std::string minima_statements(const FieldCode& code, std::size_t object, ExpressionWriter& writer,
                               bool gradients) {
-    const auto found = code.minima.find(object);
-    if (found == code.minima.end()) return {};
+    const CodedTree* tree = tree_of(code, object);
+    if (!tree) return {};
     std::string text;
-    for (const auto& [variable, family] : found->second) {
-        text +=
-            gradients
-                ? fmt::format("    real3 g_{0};\n    real f_{0} = minimum_{0}(p, g_{0});\n", family)
-                : fmt::format("    real f_{0} = minimum_{0}(p);\n", family);
+    for (const auto& [variable, family] : code.minima.at(object)) {
+        text += gradients ? fmt::format(
+                                "    real3 g_{0};\n    real f_{0} = minimum_{0}(p, cell, "
+                                "g_{0});\n",
+                                family)
+                          : fmt::format("    real f_{0} = minimum_{0}(p, cell);\n", family);
         writer.name(variable, fmt::format("f_{}", family));
     }
     return text;
 }
 
 void write_families(FieldCode& code) {
+    for (CodedTree& tree : code.trees) {
+        tree.cell = cell_at_point(code, tree.it);
+        code.out.family_trees.push_back(tree.it);
+    }
     for (std::size_t i = 0; i < code.families.size(); ++i) {
         CodedFamily& family = code.families[i];
-        for (std::size_t k = 0; k < family.heads.size(); ++k) {
-            family.heads[k] =
-                code.values.bound({.what = FieldValue::What::family, .family = i, .component = k});
-        }
+        family.rows = code.values.bound({.what = FieldValue::What::family,
+                                         .family = i,
+                                         .component = static_cast<std::size_t>(FamilyHead::rows)});
         write_members(code, family, i);
         if (i < code.plan.families.size()) {
             write_union(code, family, i);
         } else {
-            write_minimum(code, family, i, false);
-            write_minimum(code, family, i, true);
+            write_minimum(code, family, i);
+            write_minimum_gradient(code, family, i);
         }
         code.needs("leaf/family.glsl");
         code.out.families.push_back(family_table(code, family));

@@ -116,6 +116,10 @@ void FieldCode::code_family(Family of, const std::vector<FieldId>& cells, std::s
 
 void FieldCode::code_families() {
     for (const PlannedFamily& planned : plan.families) {
+        // Within cells of copies ways are short.
+        trees.push_back({{.first = families.size(),
+                          .may_be_far = planned.cells.empty(),
+                          .cells = planned.cells}});
         code_family(gathered.at(planned.id), planned.cells, planned.first_object, true);
     }
 }
@@ -134,9 +138,16 @@ void FieldCode::code_minima() {
             if (family) found.push_back(*std::move(family));
         }
         if (found.size() < leaf->minima.size()) continue;
+        // A blend of values needs more than a bound.
+        trees.push_back({{.first = families.size(),
+                          .count = found.size(),
+                          .outline = eval::make_tape(field.graph, std::array{leaf->outline}),
+                          .may_be_far = is_distance(i) && !object.blend && object.cells.empty(),
+                          .cells = object.cells}});
         for (std::size_t k = 0; k < found.size(); ++k) {
             minima[i][leaf->minima[k].variable] = families.size();
             code_family(std::move(found[k]), object.cells, i, false);
+            families.back().variable = leaf->minima[k].variable;
         }
         leaf->value = leaf->outline;
     }
@@ -315,7 +326,7 @@ FamilyTable family_table(const FieldCode& code, const CodedFamily& family) {
     table.kinds = family.tapes;
     table.texels = family.texels;
     if (family.tells_objects) table.first_object = family.first_object;
-    table.cells = family.cells;
+    table.variable = family.variable;
     std::vector<graph::NodeId> numbers;
     for (const Member& member : family.it.members) {
         table.members.push_back(member.kind);

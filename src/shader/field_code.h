@@ -28,20 +28,27 @@ struct CodedFamily {
     std::vector<Gradient> gradients;  ///< of the kinds
     std::size_t first_object = 0;
     std::vector<field::FieldId> cells;  ///< around it, outermost first
-    bool tells_objects = true;  ///< a member is an object; of a minimum in a formula it is none
-    std::size_t texels = 0;     ///< of a row
-    std::array<std::string, family_head_size> heads{};  ///< how GLSL spells them
-    std::vector<FamilyTable::Kind> tapes;               ///< of the kinds
+    bool tells_objects = true;     ///< a member is an object; of a minimum in a formula it is none
+    graph::VariableId variable{};  ///< that stands for a minimum
+    std::size_t texels = 0;        ///< of a row
+    std::string rows{};            ///< how GLSL spells where they begin
+    std::vector<FamilyTable::Kind> tapes;  ///< of the kinds
 
     std::size_t kind_place() const { return 4 * texels - (tells_objects ? 2 : 1); }
     std::size_t last_object() const { return first_object + it.members.size() - 1; }
     /// The first texel of an object's row.
     std::string row(const std::string& object) const {
-        return fmt::format("int({}) + {} * ({} - {})", heads.back(), texels, object, first_object);
+        return fmt::format("int({}) + {} * ({} - {})", rows, texels, object, first_object);
     }
     bool has_colours() const {
         return std::ranges::any_of(it.kinds, [](const MemberKind& kind) { return !!kind.colour; });
     }
+};
+
+/// A tree of cells for some of the families.
+struct CodedTree {
+    FamilyTree it;
+    std::string cell{};  ///< GLSL for the cell that `p` is in
 };
 
 /// A field with all the derivatives that its program needs, and the code as it grows.
@@ -52,6 +59,7 @@ struct FieldCode {
     FieldPlan plan;
     /// As the plan numbers them, and then those of the minima in formulas.
     std::vector<CodedFamily> families;
+    std::vector<CodedTree> trees;  ///< one a union, and then one for each leaf of `minima`
     /// By object, for formulas that are given by their outlines: the variables of minima and the
     /// numbers of their families.
     std::map<std::size_t, std::map<graph::VariableId, std::size_t>> minima;
@@ -125,6 +133,12 @@ void write_polynomial(FieldCode& code, std::size_t object);
 /// gradient, before what is written of the object's formula.
 std::string minima_statements(const FieldCode& code, std::size_t object, ExpressionWriter& writer,
                               bool gradients);
+
+/// The answer of a far `cell`, if there are any.
+std::string far_statement(const CodedTree& tree, std::size_t object);
+
+/// The tree of an object's minima, if there are any.
+const CodedTree* tree_of(const FieldCode& code, std::size_t object);
 
 /// For each family: member_i and member_gradient_i by the row of a member, member_colour_i if one
 /// has a colour; and family_i, the answer of the union, or minimum_i, with or without its gradient.

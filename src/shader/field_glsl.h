@@ -30,6 +30,7 @@ struct FieldGlsl {
     std::vector<field::FieldId> bricks;  ///< that are read brick by brick, in the order of grids
     eval::Tape expressions;              ///< those among the values, in their order
     std::vector<FamilyTable> families{};
+    std::vector<FamilyTree> family_trees{};
     bool needs_differences = false;  ///< for gradients
     bool has_colours = false;
     bool has_edges = false;  ///< a formula may be undefined somewhere

@@ -57,6 +57,9 @@ void write_value_and_gradient(FieldCode& code, std::size_t i, const field::Formu
     const Gradient& g = code.gradients.at(code.plan.objects[i].id);
     const std::array roots{leaf.value, g[0], g[1], g[2]};
     code.out.code += fmt::format("real value_{}(real3 p, out real3 g) {{\n", i);
+    if (const CodedTree* tree = tree_of(code, i)) {
+        code.out.code += fmt::format("    FamilyCell cell = {};\n", tree->cell);
+    }
     code.out.code += minima_statements(code, i, w, true);
     code.out.code += w.statements(roots, "    ");
     code.out.code += fmt::format("    g = real3({}, {}, {});\n", w.spelling(roots[1]),
@@ -68,16 +71,29 @@ void write_value_and_gradient(FieldCode& code, std::size_t i, const field::Formu
 
 void write_distance(FieldCode& code, std::size_t i, const field::Formula& leaf) {
     ExpressionWriter w = code.writer();
-    code.out.code += fmt::format("real distance_{}(real3 p) {{\n", i);
+    const CodedTree* tree = tree_of(code, i);
+    code.out.code +=
+        fmt::format("real distance_{}(real3 p{}) {{\n", i, tree ? ", FamilyCell cell" : "");
     code.out.code += minima_statements(code, i, w, false);
     code.out.code += w.statements(std::array{leaf.value}, "    ");
     code.out.code += fmt::format("    return {};\n}}\n", w.spelling(leaf.value));
     code.finish(w);
     write_value_and_gradient(code, i, leaf);
-    code.out.code += fmt::format(
-        "Answer leaf_{0}(real3 p, real3 d) {{ return distance_answer(distance_{0}(p), {0}); "
-        "}}\n",
-        i);
+    if (!tree) {
+        code.out.code += fmt::format(
+            "Answer leaf_{0}(real3 p, real3 d) {{ return distance_answer(distance_{0}(p), {0}); "
+            "}}\n",
+            i);
+    } else {
+        code.out.code += fmt::format(
+            "real distance_{0}(real3 p) {{ return distance_{0}(p, {1}); }}\n"
+            "Answer leaf_{0}(real3 p, real3 d) {{\n"
+            "    FamilyCell cell = {1};\n"
+            "{2}"
+            "    return distance_answer(distance_{0}(p, cell), {0});\n"
+            "}}\n",
+            i, tree->cell, far_statement(*tree, i));
+    }
     code.needs("leaf/distance.glsl");
 }
 

@@ -315,6 +315,7 @@ ProgramSource program_source(const field::Field& field, const Features& features
             skips_bricks(features),
             std::move(generated.polynomials),
             std::move(generated.families),
+            std::move(generated.family_trees),
             features.precision};
 }
 

@@ -121,6 +121,7 @@ struct ProgramSource {
     /// Objects (leaves from left to right) that are walked as polynomials along the ray.
     std::set<std::size_t> polynomials{};
     std::vector<FamilyTable> families{};
+    std::vector<FamilyTree> family_trees{};
     /// Says in which numbers the uniform blocks are, and about which origin.
     Precision precision = Precision::single;
 
