@@ -165,9 +165,9 @@ TEST(ActiveCells, hold_few_of_many_operands) {
 
 TEST(ActiveCells, are_far_if_they_may_be) {
     std::mt19937 random(8);
-    const Scene scene(random, 100, 1);
+    const Scene scene(random, 500, 0.3);
     const Region box{glm::dvec3(0), glm::dvec3(1), false};
-    EXPECT_GT(survey(cells_of(scene, box, std::nullopt, true), random).far, 0.2);
+    EXPECT_GT(survey(cells_of(scene, box, std::nullopt, true), random).far, 0.5);
     EXPECT_EQ(survey(cells_of(scene, box, std::nullopt, false), random).far, 0);
 }
 
