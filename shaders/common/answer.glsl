@@ -13,6 +13,8 @@ struct Answer {
 int zs_undefined = 0;
 // Whether the latest evaluation used a step without a proof.
 bool zs_guess = false;
+// Of the latest evaluation, how much of the estimates can be relied on (field::Iteration::evenness).
+real zs_evenness = 1.0;
 // Whether the estimated distance must count what is beside the ray, too.
 bool zs_aside = false;
 // How far along the ray the nearest wall of a cell is.

@@ -46,7 +46,8 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
             if (t > back && !(slope > 0.0) && !steep) {
                 seen = min(seen, k * sqrt(h * h - back * back) / (t - back));
             }
-            step = max(min(zs_longer_steps * a.free, max(h, least)), least);
+            real longer = max(zs_longer_steps, zs_knows_evenness ? 3.0 * zs_evenness : 0.0);
+            step = max(min(longer * a.free, max(h, least)), least);
         }
         if (hit) seen = 0.0;
         before = h;

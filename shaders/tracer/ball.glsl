@@ -28,7 +28,7 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         result.turned = a.turned;
         // Of an estimate the flat surface is twice as far, of a distance as far as it says.
         bool estimate = a.distance > a.free;
-        real epsilon = ball_epsilon(!estimate ? 0.1 : (zs_is_koebe ? 0.15 : 0.25), t);
+        real epsilon = ball_epsilon(!estimate ? 0.1 : (zs_knows_evenness ? 0.15 : 0.25), t);
         real way = t - outside, before = free;
         if (a.free > 0.0) {
             outside = t;
@@ -46,12 +46,12 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         }
         // Rays go nearly to where the shrinking of the balls leads, and may pass what is smaller than the
         // part of the way outside of both balls (heuristic): by a distance within `epsilon` only, by an
-        // estimate, which is mostly half of the way, within a pixel, and from everywhere if it is a bound;
-        // by as much as by a distance where what they may pass is as small.
-        bool led = a.free > 0.0 && (estimate ? zs_is_koebe || free < pixel_footprint(t)
-                                             : free < ball_epsilon(1.0, t));
-        real most = !estimate || (zs_is_koebe && free < ball_epsilon(4.0, t)) ? 4.0 : (zs_is_koebe ? 2.2 : 1.8);
-        t = outside + (led ? clamp((estimate ? 0.8 : 0.9) * rest, free, most * free) : free);
+        // estimate, which is mostly half of the way, within a pixel, and from everywhere as far as it can be
+        // relied on; by as much as by a distance where what they may pass is as small.
+        real most = free < pixel_footprint(t) ? 1.8 : 1.0;
+        if (zs_knows_evenness) most = max(most, zs_evenness * (free < ball_epsilon(4.0, t) ? 4.0 : 2.2));
+        if (!estimate) most = free < ball_epsilon(1.0, t) ? 4.0 : 1.0;
+        t = outside + (a.free > 0.0 ? clamp((estimate ? 0.8 : 0.9) * rest, free, most * free) : free);
         if (t >= inside) t = 0.5 * (outside + inside);
         if (t > t1) {
             // After a guess the end is looked at too.

@@ -95,10 +95,13 @@ struct Iteration {
     std::optional<Colour> colour{};
     /// Where a map that is no isometry lies between the point and the distance: what it maps to.
     std::optional<Image> image{};
-    /// The distance is |z| log|z| / 2|z'| of numbers with |ab| = |a||b|, whose |z'| is a bound: the
-    /// surface is mostly twice as far, and of complex numbers, near the set, once to four times as
-    /// far (Koebe's theorem). Far from the set it is nearer; heuristic for quaternions.
-    bool is_koebe = false;
+    /// Of the distance |z| log|z| / 2|z'|, how much of it can be relied on as that of numbers with
+    /// |ab| = |a||b| can: 1 for those, whose |z'| is a bound, so that the surface is mostly twice
+    /// as far, and of complex numbers, near the set, once to four times as far (Koebe's theorem;
+    /// far from the set it is nearer). Less where |z'| leaves out that space is stretched more in
+    /// some directions: the root of |z'| over what counts it at every turn. Heuristic, except for
+    /// complex numbers.
+    std::optional<graph::NodeId> evenness{};
 };
 
 struct Union {

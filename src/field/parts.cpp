@@ -46,6 +46,7 @@ struct Expressions {
         add(leaf.limit);
         add(leaf.escape);
         add(leaf.distance);
+        add(leaf.evenness);
         if (leaf.image) add(*leaf.image);
         add(leaf.colour);
     }

@@ -104,6 +104,7 @@ private:
     void drop_unneeded_state() {
         field::Iteration& it = turns_.iteration;
         std::vector<NodeId> answers{it.distance};
+        if (it.evenness) answers.push_back(*it.evenness);
         if (it.colour) answers.insert(answers.end(), it.colour->begin(), it.colour->end());
         const std::vector<bool> needed = field::needed_state(graph(), it, answers);
         std::size_t kept = 0;
@@ -216,11 +217,20 @@ private:
             return std::nullopt;
         }
         const NodeId growth = use_growth();
-        const auto* vector = std::get_if<VectorValue>(&turns_.orbit);
-        turns_.iteration.is_koebe =
-            turns_.next && how->by_power && vector &&
-            (vector->algebra == Algebra::complex || vector->algebra == Algebra::quaternion);
+        if (turns_.next && how->by_power) turns_.iteration.evenness = evenness(growth);
         return passes::distance_estimate(graph(), turns_.iteration, *length_, *how, growth);
+    }
+
+    /// What field::Iteration::evenness says, if the rules of orbits know it.
+    std::optional<NodeId> evenness(NodeId growth) {
+        const auto& vector = std::get<VectorValue>(turns_.orbit);
+        if (vector.algebra == Algebra::vector) return std::nullopt;
+        if (vector.algebra != Algebra::triplex) return graph().constant(1);
+        if (!turns_.start || !turns_.next->across) return std::nullopt;
+        const NodeId start = turns_.start->across.value_or(turns_.start->stretch);
+        const NodeId across = passes::add_growth(graph(), turns_.iteration,
+                                                 {turns_.across, start, *turns_.next->across});
+        return sqrt(expr(growth) / expr(across)).id;
     }
 
     /// turns - log(log|z| / log radius) / log degree, or turns - log(|z| / radius) / log scale: as

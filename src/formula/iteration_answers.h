@@ -14,6 +14,7 @@ struct Turns {
     field::Iteration iteration{};  ///< the orbit, which is the first name, comes first in the state
     Value orbit{};                 ///< its variables
     graph::VariableId growth{};    ///< stands for |dz/dp|, z the orbit and p the point
+    graph::VariableId across{};    ///< for the same with what Orbit::across counts
     graph::VariableId done{};      ///< the number of turns that are done
     std::optional<Orbit> start{}, next{};  ///< what is known of the orbit first and after a turn
     /// `until large > small`; other conditions are a number that is above 0 where they hold

@@ -18,7 +18,11 @@ std::optional<Orbit> chosen_orbit(Lowering& lowering, const Condition& condition
     const auto choose = [&](NodeId yes, NodeId no) {
         return yes == no ? yes : select(lowering, condition, yes, no);
     };
-    return Orbit{choose(a->stretch, b->stretch), a->degree, choose(a->scale, b->scale)};
+    std::optional<NodeId> across;
+    if (a->across || b->across) {
+        across = choose(a->across.value_or(a->stretch), b->across.value_or(b->stretch));
+    }
+    return Orbit{choose(a->stretch, b->stretch), a->degree, choose(a->scale, b->scale), across};
 }
 
 Value choose_vector(Lowering& lowering, const Condition& condition, Algebra algebra,

@@ -141,7 +141,12 @@ private:
         turns_.growth = graph().new_variable("growth");
         if (vector) {
             const NodeId one = graph().constant(1);
-            std::get<VectorValue>(value).orbit = Orbit{graph().variable(turns_.growth), one, one};
+            Orbit orbit{graph().variable(turns_.growth), one, one};
+            if (vector->algebra == Algebra::triplex) {
+                turns_.across = graph().new_variable("growth across");
+                orbit.across = graph().variable(turns_.across);
+            }
+            std::get<VectorValue>(value).orbit = orbit;
             turns_.start = orbit_of(lowering_, *vector);
         }
         turns_.orbit = value;

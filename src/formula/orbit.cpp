@@ -46,6 +46,9 @@ std::optional<NodeId> uniform_size(Lowering& lowering, NodeId number) {
     return known ? graph.constant(std::abs(*known)) : graph.apply(Op::abs, number);
 }
 
+/// What is not left out of the stretch, if anything is.
+NodeId full_stretch(const Orbit& orbit) { return orbit.across.value_or(orbit.stretch); }
+
 }  // namespace
 
 std::optional<Orbit> orbit_of(Lowering& lowering, const VectorValue& vector) {
@@ -63,16 +66,20 @@ std::optional<Orbit> orbit_of_sum(Lowering& lowering, const VectorValue& a, cons
     const std::optional<Orbit> left = orbit_of(lowering, a), right = orbit_of(lowering, b);
     if (!left || !right) return std::nullopt;
     const NodeId stretch = calculate.add(left->stretch, right->stretch);
+    std::optional<NodeId> across;
+    if (left->across || right->across) {
+        across = calculate.add(full_stretch(*left), full_stretch(*right));
+    }
     if (left->degree == right->degree) {
-        return Orbit{stretch, left->degree, calculate.add(left->scale, right->scale)};
+        return Orbit{stretch, left->degree, calculate.add(left->scale, right->scale), across};
     }
     const bool both_known = graph.is_constant(left->degree) && graph.is_constant(right->degree);
     if (graph.is_constant(left->degree, 0) ||
         (both_known && graph[left->degree].value < graph[right->degree].value)) {
-        return Orbit{stretch, right->degree, right->scale};
+        return Orbit{stretch, right->degree, right->scale, across};
     }
     if (graph.is_constant(right->degree, 0) || both_known) {
-        return Orbit{stretch, left->degree, left->scale};
+        return Orbit{stretch, left->degree, left->scale, across};
     }
     return std::nullopt;
 }
@@ -83,8 +90,10 @@ std::optional<Orbit> orbit_of_multiple(Lowering& lowering, NodeId number, const 
     if (!size) return std::nullopt;
     Graph& graph = lowering.field.graph;
     const TrimmedArithmetic calculate{graph};
+    std::optional<NodeId> across;
+    if (v.orbit->across) across = calculate.mul(*size, *v.orbit->across);
     return Orbit{calculate.mul(*size, v.orbit->stretch), v.orbit->degree,
-                 calculate.mul(*size, v.orbit->scale)};
+                 calculate.mul(*size, v.orbit->scale), across};
 }
 
 std::optional<Orbit> orbit_of_fraction(Lowering& lowering, const VectorValue& v, NodeId number) {
@@ -92,8 +101,10 @@ std::optional<Orbit> orbit_of_fraction(Lowering& lowering, const VectorValue& v,
     const std::optional<NodeId> size = uniform_size(lowering, number);
     if (!size) return std::nullopt;
     Graph& graph = lowering.field.graph;
+    std::optional<NodeId> across;
+    if (v.orbit->across) across = graph.apply(Op::div, *v.orbit->across, *size);
     return Orbit{graph.apply(Op::div, v.orbit->stretch, *size), v.orbit->degree,
-                 graph.apply(Op::div, v.orbit->scale, *size)};
+                 graph.apply(Op::div, v.orbit->scale, *size), across};
 }
 
 std::optional<Orbit> orbit_of_product(Lowering& lowering, const VectorValue& a,
@@ -128,11 +139,24 @@ std::optional<Orbit> orbit_of_power(Lowering& lowering, const VectorValue& v, No
                                                       : pow(Expr(graph, v.orbit->scale), power).id};
 }
 
+std::optional<Orbit> orbit_of_triplex_power(Lowering& lowering, const VectorValue& v, NodeId n,
+                                            Expr around) {
+    std::optional<Orbit> orbit = orbit_of_power(lowering, v, n);
+    if (!orbit) return std::nullopt;
+    Graph& graph = lowering.field.graph;
+    const Expr degree(graph, n);
+    const Expr along = pow(Expr(graph, length_of(lowering, v)), degree - 1.0);
+    orbit->across = (degree * max(along, around) * Expr(graph, full_stretch(*v.orbit))).id;
+    return orbit;
+}
+
 std::optional<Orbit> orbit_stretched(Lowering& lowering, const std::optional<Orbit>& orbit,
                                      NodeId factor) {
     if (!orbit) return std::nullopt;
-    return Orbit{TrimmedArithmetic{lowering.field.graph}.mul(factor, orbit->stretch), orbit->degree,
-                 orbit->scale};
+    const TrimmedArithmetic calculate{lowering.field.graph};
+    std::optional<NodeId> across;
+    if (orbit->across) across = calculate.mul(factor, *orbit->across);
+    return Orbit{calculate.mul(factor, orbit->stretch), orbit->degree, orbit->scale, across};
 }
 
 }  // namespace formula

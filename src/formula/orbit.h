@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "formula/lowering.h"
+#include "graph/build.h"
 
 namespace formula {
 
@@ -32,10 +33,15 @@ std::optional<Orbit> orbit_of_fraction(Lowering& lowering, const VectorValue& v,
 std::optional<Orbit> orbit_of_product(Lowering& lowering, const VectorValue& a,
                                       const VectorValue& b);
 
-/// v^n where |v^n| = |v|^n: n |v|^(n-1) times the stretch, n times the degree. For triplex numbers
-/// that is the customary estimate of the Mandelbulb, not a bound: near the z axis the map stretches
-/// more.
+/// v^n where |v^n| = |v|^n: n |v|^(n-1) times the stretch, n times the degree.
 std::optional<Orbit> orbit_of_power(Lowering& lowering, const VectorValue& v, graph::NodeId n);
+
+/// v^n of triplex numbers, by the quotient of the distances to the z axis after and before. As such
+/// the power has the customary estimate of the Mandelbulb, not a bound: in the half-plane of the
+/// axis and v the map stretches by n |v|^(n-1) in all directions, as z^n does, but around the axis
+/// by n times that quotient, which is up to n |v|^(n-1).
+std::optional<Orbit> orbit_of_triplex_power(Lowering& lowering, const VectorValue& v,
+                                            graph::NodeId n, graph::Expr around);
 
 /// What is stretched by a factor that depends on the point, such as by the inversion of a sphere,
 /// and grows as before.

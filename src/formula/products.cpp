@@ -105,6 +105,17 @@ VectorValue power_by_angle(Graph& graph, const VectorValue& a, NodeId exponent) 
     return a;
 }
 
+std::optional<Orbit> orbit_of_power(Lowering& lowering, const VectorValue& a, NodeId exponent,
+                                    std::optional<int> n) {
+    if (n == 1) return a.orbit;
+    if (a.algebra != Algebra::triplex || !a.orbit) return orbit_of_power(lowering, a, exponent);
+    Graph& graph = lowering.field.graph;
+    const Triplex v = triplex_of(graph, a);
+    const Expr around =
+        n && *n > 1 ? whole_power_around(v, *n) : real_power_around(v, Expr(graph, exponent));
+    return orbit_of_triplex_power(lowering, a, exponent, around);
+}
+
 VectorValue whole_power(Lowering& lowering, const VectorValue& a, int n) {
     Graph& graph = lowering.field.graph;
     if (n == 0) return one(graph, a);
@@ -161,7 +172,7 @@ Value power(Lowering& lowering, base::SourceSpan span, const VectorValue& a, Nod
     const bool squared = n && (a.algebra != Algebra::triplex || *n >= 1);
     VectorValue result =
         squared ? whole_power(lowering, a, *n) : power_by_angle(lowering.field.graph, a, exponent);
-    result.orbit = n == 1 ? a.orbit : orbit_of_power(lowering, a, exponent);
+    result.orbit = orbit_of_power(lowering, a, exponent, n);
     return result;
 }
 

@@ -15,7 +15,13 @@ struct Triplex {
 /// and both angles times n. Equal to `whole_power`, which has no trigonometry, where n is whole.
 Triplex real_power(Triplex a, graph::Expr n);
 
+/// How far from the z axis that is, over how far a is.
+graph::Expr real_power_around(Triplex a, graph::Expr n);
+
 /// For n >= 2. By complex powers of z + i rho and (x + i y) / rho, rho = |(x, y)|.
 Triplex whole_power(Triplex a, int n);
+
+/// How far from the z axis that is, over how far a is: of the same expressions.
+graph::Expr whole_power_around(Triplex a, int n);
 
 }  // namespace formula

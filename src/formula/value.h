@@ -30,6 +30,9 @@ struct Orbit {
     graph::NodeId stretch{};  ///< an upper bound of |dv/dp|, p the point, if the state's is one
     graph::NodeId degree{};   ///< |v| grows like |state|^degree; 0 for what is no part of the state
     graph::NodeId scale{};    ///< and this is the factor in front, an upper bound
+    /// Where `stretch` leaves out that space is stretched more in some directions: counting that at
+    /// every turn, and so more than there is in all. None if nothing is left out.
+    std::optional<graph::NodeId> across{};
 };
 
 /// Two to four numbers. What no rule of orbit.h describes has no `orbit`.

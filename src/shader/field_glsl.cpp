@@ -35,11 +35,11 @@ bool is_regular(const FieldCode& code) {
     return has_rates(code) && !code.edges && !code.breaks && !code.clips;
 }
 
-/// Whether all iterations are those whose surface is mostly twice as far as the estimate says.
-bool is_koebe(const FieldCode& code) {
+/// Whether it is known of all iterations how far the surface is mostly beyond the estimate.
+bool knows_evenness(const FieldCode& code) {
     for (std::size_t i = 0; i < code.plan.objects.size(); ++i) {
         const field::Iteration* iteration = code.iteration(i);
-        if (iteration && !iteration->is_koebe) return false;
+        if (iteration && !iteration->evenness) return false;
     }
     return answers_balls(code);
 }
@@ -47,17 +47,14 @@ bool is_koebe(const FieldCode& code) {
 /// How many times as long as the ball's radius a shadow ray may step: by estimates longer, since
 /// the surface is mostly twice as far, and where it is not, a shadow misses what is thin.
 /// Heuristic.
-int longer_shadow_steps(const FieldCode& code) {
-    if (is_koebe(code)) return 3;
-    return answers_balls(code) ? 2 : 1;
-}
+int longer_shadow_steps(const FieldCode& code) { return answers_balls(code) ? 2 : 1; }
 
 std::string facts(const FieldCode& code) {
     return fmt::format(
         "const bool zs_has_edges = {};\nconst bool zs_has_rates = {};\n"
-        "const bool zs_is_koebe = {};\nconst real zs_longer_steps = {}.0;\n"
+        "const bool zs_knows_evenness = {};\nconst real zs_longer_steps = {}.0;\n"
         "const int zs_objects = {};\n",
-        code.edges, has_rates(code), is_koebe(code), longer_shadow_steps(code),
+        code.edges, has_rates(code), knows_evenness(code), longer_shadow_steps(code),
         code.plan.objects.size());
 }
 

@@ -46,7 +46,7 @@ struct FieldGlsl {
 /// Writes, for the tree and each leaf (object 0, 1, ... from left to right):
 ///   zs_has_edges     whether a leaf may be undefined somewhere
 ///   zs_has_rates     whether every answer has a derivative along the ray
-///   zs_is_koebe      whether every answer is a distance, or an iteration's that is_koebe
+///   zs_knows_evenness whether every answer is a distance, or an iteration's with an evenness
 ///   zs_longer_steps  how many times as long as `free` a shadow ray's steps may be
 ///   zs_objects       how many leaves there are
 ///   void field_start(o, d, t0, t1)

@@ -194,8 +194,14 @@ private:
 
 std::string iteration_body(const graph::Graph& graph, const field::Iteration& iteration,
                            ExpressionWriter& writer, FieldValues& values) {
-    std::string text = Loop(graph, iteration, writer, values).write(std::array{iteration.distance});
-    text += writer.statements(std::array{iteration.distance}, "    ");
+    std::vector<NodeId> answers{iteration.distance};
+    if (iteration.evenness) answers.push_back(*iteration.evenness);
+    std::string text = Loop(graph, iteration, writer, values).write(answers);
+    text += writer.statements(answers, "    ");
+    if (iteration.evenness && !graph.is_constant(*iteration.evenness, 1)) {
+        text += fmt::format("    zs_evenness = min(zs_evenness, {});\n",
+                            writer.spelling(*iteration.evenness));
+    }
     return text + fmt::format("    return {};\n", writer.spelling(iteration.distance));
 }
 

@@ -189,6 +189,7 @@ void write_tree(FieldCode& code, bool count_evaluations) {
         "    real3 p = o + t * d;\n"
         "    zs_undefined = 0;\n"
         "    zs_guess = false;\n"
+        "    zs_evenness = 1.0;\n"
         "    zs_point = p;\n"
         "{}{}{}{}    return {};\n"
         "}}\n",

@@ -58,7 +58,8 @@ double change(const Orbiting& it, glm::dvec3 point, glm::dvec3 direction) {
     return std::sqrt(square) / (2 * step);
 }
 
-/// The stretch bounds every change; `exact`: and some direction reaches it.
+/// The stretch, with what it leaves out, bounds every change; `exact`: and some direction reaches
+/// it.
 void check(const char* expression, Algebra algebra, double degree, double scale, bool exact) {
     const Orbiting it(expression, algebra);
     const std::optional<Orbit> orbit = it.vector().orbit;
@@ -70,7 +71,7 @@ void check(const char* expression, Algebra algebra, double degree, double scale,
     };
     for (int i = 0; i < 50; ++i) {
         const glm::dvec3 point = draw();
-        const double stretch = it.at(orbit->stretch, point);
+        const double stretch = it.at(orbit->across.value_or(orbit->stretch), point);
         double most = 0;
         for (int j = 0; j < 20; ++j) {
             glm::dvec3 direction = draw();
@@ -97,6 +98,20 @@ TEST(Orbit, of_powers_and_products_bounds_the_derivative) {
     check("conj(q^3)*quaternion(0, 3, 4, 0) + q", Algebra::quaternion, 3, 5, false);
     check("q^2 + q^3", Algebra::quaternion, 3, 1, false);
     check("(2q)^3", Algebra::quaternion, 3, 8, true);
+}
+
+TEST(Orbit, of_triplex_powers_counts_the_stretch_around_the_axis) {
+    check("q^8", Algebra::triplex, 8, 1, true);
+    check("q^2.5", Algebra::triplex, 2.5, 1, true);
+    check("2*q^3 + (1, 2, 3)", Algebra::triplex, 3, 2, true);
+    check("(q/2)^3 - (x, y, z)", Algebra::triplex, 3, 0.125, false);
+    check("triplex(abs(q))^4", Algebra::triplex, 4, 1, true);
+    const Orbiting it("q^8", Algebra::triplex);
+    const Orbit orbit = *it.vector().orbit;
+    ASSERT_TRUE(orbit.across);
+    const glm::dvec3 beside_the_axis{1e-3, 0, 1}, around{0, 1, 0};
+    EXPECT_GT(change(it, beside_the_axis, around), 7.9 * it.at(orbit.stretch, beside_the_axis));
+    EXPECT_FALSE(Orbiting("q^2", Algebra::quaternion).vector().orbit->across);
 }
 
 TEST(Orbit, of_folds_keeps_lengths) {
