@@ -143,7 +143,7 @@ private:
             const NodeId one = graph().constant(1);
             Orbit orbit{graph().variable(turns_.growth), one, one};
             if (vector->algebra == Algebra::triplex) {
-                turns_.across = graph().new_variable("growth across");
+                turns_.across = graph().new_variable("across");
                 orbit.across = graph().variable(turns_.across);
             }
             std::get<VectorValue>(value).orbit = orbit;
