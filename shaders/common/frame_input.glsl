@@ -1,5 +1,5 @@
 #include "common/frame.glsl"
 
-// The frame's numbers from the vertex shader. A GPU reads them as fast as uniforms, llvmpipe much faster:
-// it gathers each uniform lane by lane, wherever it is read, which was a quarter of a frame.
+// The frame's numbers from the vertex shader: llvmpipe gathers a uniform lane by lane, wherever it is read,
+// which took up to a fifth of a frame.
 flat in FrameNumbers frame;

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <thread>
 
 #include <glm/glm.hpp>
 
+#include "analysis/in_parallel.h"
 #include "eval/batch.h"
 
 namespace analysis {
@@ -351,19 +351,15 @@ ActiveCells active_cells(const Composition& composition, const Region& region) {
     const Known all = all_of(composition);
     std::vector<ActiveCells> found(
         static_cast<std::size_t>(result.count.x * result.count.y * result.count.z));
-    std::atomic<int> next = 0;
-    const auto work = [&] {
-        Divider divider(composition, region, 1e-6 * longest);
-        for (int i = next++; i < std::ssize(found); i = next++) {
-            const glm::dvec3 place(i % result.count.x, i / result.count.x % result.count.y,
-                                   i / (result.count.x * result.count.y));
-            found[static_cast<std::size_t>(i)] =
-                divider.cube(box.low + result.size * place, result.size, all);
-        }
+    const auto divide = [&](Divider& divider, std::size_t i) {
+        const int number = static_cast<int>(i), row = number / result.count.x;
+        const glm::dvec3 place(number % result.count.x, row % result.count.y, row / result.count.y);
+        found[i] = divider.cube(box.low + result.size * place, result.size, all);
     };
-    std::thread other(work);
-    work();
-    other.join();
+    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    in_parallel(
+        found.size(), threads, [&] { return Divider(composition, region, 1e-6 * longest); }, divide,
+        1);
     join(found, result);
     return result;
 }

@@ -88,7 +88,7 @@ struct ActiveCells {
 /// far cell |value| - |p - middle| bounds the field's size from below, whose sign is that of the
 /// value. Rigorous as far as operands and field are 1-Lipschitz, with a margin of 1e-6 of the
 /// region for the rounding in single precision. Work is counted, so that the same is found on every
-/// machine. Two threads.
+/// machine, with any number of cores.
 ActiveCells active_cells(const Composition& composition, const Region& region);
 
 }  // namespace analysis

@@ -12,10 +12,11 @@ namespace analysis {
 
 /// Calls `work(worker, i)` once for each i below `count`, on at most `threads` threads, each with a
 /// worker of its own from `make_worker()`. Where work(worker, i) depends on i alone and writes to
-/// places of its own, the result is the same for any number of threads. Nothing may throw.
+/// places of its own, the result is the same for any number of threads. A thread takes `chunk` of
+/// them at a time. Nothing may throw.
 template <class MakeWorker, class Work>
-void in_parallel(std::size_t count, int threads, MakeWorker make_worker, Work work) {
-    constexpr std::size_t chunk = 64;
+void in_parallel(std::size_t count, int threads, MakeWorker make_worker, Work work,
+                 std::size_t chunk = 64) {
     std::atomic<std::size_t> next = 0;
     const auto run = [&] {
         if (next >= count) return;

@@ -141,6 +141,18 @@ TEST(Overflow, makes_no_surface_and_hides_none) {
     }
 }
 
+// More numbers than fit between the stages of a program are uniforms.
+TEST(Parameters, may_be_many) {
+    std::string names, sum = "x^2 + y^2 + z^2 - 1";
+    for (int i = 0; i < 80; ++i) {
+        names += fmt::format("param p{} = 0 in [-1, 1]\n", i);
+        sum += fmt::format(" + p{}*sin({}*x + y)", i, i + 1);
+    }
+    const Query many{names + sum + " = 0", sphere_bounds(2), aside};
+    const Query sphere{"x^2 + y^2 + z^2 = 1", sphere_bounds(2), aside};
+    EXPECT_LE(different_pixels(many, sphere), 2);
+}
+
 TEST(Steps, leave_pixels_unresolved_only_where_they_are_few) {
     Query query = torus_query();
     EXPECT_EQ(count(render(query), shader::Status::unresolved), 0);
