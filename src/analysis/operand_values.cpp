@@ -11,7 +11,7 @@ namespace analysis {
 OperandValues::OperandValues(const Operands& operands) : operands_(operands) {
     std::size_t variables = 3;
     for (const Operands::Kind& kind : operands.kinds) {
-        eval::load_parameters<double>(*kind.value, {}, registers_.emplace_back());
+        eval::load_parameters<double>(*kind.value, operands.parameters, registers_.emplace_back());
         for (const graph::VariableId id : kind.variables) {
             variables = std::max(variables, index(id) + 1);
         }

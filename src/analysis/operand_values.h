@@ -23,6 +23,8 @@ struct Operands {
     std::vector<Kind> kinds;
     std::vector<std::uint32_t> kind;   ///< of each operand
     std::vector<std::uint32_t> place;  ///< of each operand among those of its kind
+    /// Of the tapes, by ParameterId: what all of a kind have in common may depend on them.
+    std::span<const double> parameters{};
 };
 
 /// Some of the operands, by number.

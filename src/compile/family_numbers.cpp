@@ -175,6 +175,7 @@ private:
 analysis::Operands operands(const shader::FamilyTable& table, std::span<const double> parameters) {
     const std::vector<double> numbers = numbers_of(table, parameters);
     analysis::Operands result;
+    result.parameters = parameters;
     for (const shader::FamilyTable::Kind& kind : table.kinds) {
         result.kinds.push_back({&kind.value, kind.variables, {}});
         result.kinds.back().numbers.resize(kind.variables.size());
@@ -195,9 +196,11 @@ analysis::Operands operands(const shader::FamilyTable& table, std::span<const do
 std::vector<FamilyHeads> add_tree(std::vector<float>& texels, const shader::FamilyTree& tree,
                                   std::span<const shader::FamilyTable> tables,
                                   const analysis::Region& region,
-                                  std::span<const double> parameters) {
+                                  std::span<const double> parameters,
+                                  const analysis::Budget* budget) {
     TreeTexels made(texels, tree, tables, parameters);
-    return made.add(active_cells(composition(tree, tables, parameters), with_margin(region)));
+    return made.add(
+        active_cells(composition(tree, tables, parameters), with_margin(region), budget));
 }
 
 }  // namespace compile

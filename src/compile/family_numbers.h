@@ -13,7 +13,7 @@
 namespace compile {
 
 /// The members of a family as operands, with the numbers that they have for these values of the
-/// parameters (by ParameterId); the operands refer to the table.
+/// parameters (by ParameterId); the operands refer to the table and the parameters.
 analysis::Operands operands(const shader::FamilyTable& table, std::span<const double> parameters);
 
 /// FamilyHead by number.
@@ -25,6 +25,7 @@ using FamilyHeads = std::array<float, shader::family_head_size>;
 std::vector<FamilyHeads> add_tree(std::vector<float>& texels, const shader::FamilyTree& tree,
                                   std::span<const shader::FamilyTable> tables,
                                   const analysis::Region& region,
-                                  std::span<const double> parameters);
+                                  std::span<const double> parameters,
+                                  const analysis::Budget* budget = nullptr);
 
 }  // namespace compile

@@ -141,6 +141,24 @@ TEST(Families, move_with_parameters) {
     EXPECT_GT(count(text, shader::Status::hit), 300);
 }
 
+TEST(Families, may_have_a_parameter_in_common) {
+    std::mt19937 random(15);
+    std::string list;
+    Query query;
+    query.camera = camera({2.6, 2.1, 4.2});
+    query.formula = "param s = 0.1 in [0, 1]\n" + operands(random, 30, "sphere(s)", list) +
+                    "union(" + list + ")";
+    scene::Document document = document_of(query);
+    int last = 0;
+    for (const double size : {0.1, 0.3}) {
+        document.parameters["s"] = size;
+        const render::Still data = drawn(document, false), text = drawn(document, true);
+        EXPECT_NEAR(count(data, shader::Status::hit), count(text, shader::Status::hit), 3);
+        EXPECT_GT(count(text, shader::Status::hit), last + 100);
+        last = count(text, shader::Status::hit);
+    }
+}
+
 TEST(Families, are_right_beyond_their_grid) {
     std::mt19937 random(6);
     std::string list;
