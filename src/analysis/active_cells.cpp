@@ -115,11 +115,17 @@ public:
         eval::load_parameters<double>(*composition.outline, parameters, registers_);
     }
 
-    ActiveCells cube(const glm::dvec3& low, double size, const Known& known) {
+    /// With nodes so deep below it at most; none if there was no time.
+    std::optional<ActiveCells> cube(const glm::dvec3& low, double size, const Known& known,
+                                    int depth, const Budget* budget) {
         found_ = {};
+        depth_ = depth;
+        budget_ = depth > 0 ? budget : nullptr;
         found_.minima = composition_.minima.size();
         spent_ = 0;
+        if (is_over(budget_)) return std::nullopt;
         node(eighths(known, low, size), low, size, 0);
+        if (budget_ && budget_->was_over()) return std::nullopt;
         return std::move(found_);
     }
 
@@ -214,7 +220,7 @@ private:
     /// cell of double its size, which hold so many operands.
     bool is_enough(const Known& known, std::size_t around, double size, int level) const {
         const std::size_t operands = known.count();
-        if (operands <= short_list || level > deepest) return true;
+        if (operands <= short_list || level > depth_) return true;
         if (level < deepest) return false;
         // The smallest cells are for what is near the surface.
         const bool near = std::abs(known.value) <= size && 4 * operands <= 3 * around;
@@ -235,6 +241,7 @@ private:
     void eighth(const Known& known, const glm::dvec3& low, double size, std::uint32_t first,
                 const glm::ivec3& at, int level) {
         if (!clip(region_, {low, low + size})) return;
+        if (is_over(budget_)) return;
         const auto place = [&](int i) {
             const glm::ivec3 to = at + glm::ivec3(corner(i));
             return first + static_cast<std::uint32_t>((to.z * 4 + to.y) * 4 + to.x);
@@ -279,6 +286,8 @@ private:
     std::vector<std::vector<double>> columns_;
     ActiveCells found_;
     std::size_t spent_ = 0;
+    int depth_ = deepest;
+    const Budget* budget_ = nullptr;
 };
 
 /// The cubes' cells and lists one after the other, their first nodes before all others.
@@ -337,7 +346,8 @@ ActiveCells::Place ActiveCells::at(const glm::dvec3& p) const {
     }
 }
 
-ActiveCells active_cells(const Composition& composition, const Region& region) {
+ActiveCells active_cells(const Composition& composition, const Region& region,
+                         const Budget* budget) {
     const Cell box = bounding_cell(region);
     const glm::dvec3 extent = box.high - box.low;
     const double longest = std::max({extent.x, extent.y, extent.z});
@@ -351,15 +361,24 @@ ActiveCells active_cells(const Composition& composition, const Region& region) {
     const Known all = all_of(composition);
     std::vector<ActiveCells> found(
         static_cast<std::size_t>(result.count.x * result.count.y * result.count.z));
-    const auto divide = [&](Divider& divider, std::size_t i) {
-        const int number = static_cast<int>(i), row = number / result.count.x;
-        const glm::dvec3 place(number % result.count.x, row % result.count.y, row / result.count.y);
-        found[i] = divider.cube(box.low + result.size * place, result.size, all);
+    const auto divide_all = [&](int depth) {
+        const auto divide = [&](Divider& divider, std::size_t i) {
+            const int number = static_cast<int>(i), row = number / result.count.x;
+            const glm::dvec3 place(number % result.count.x, row % result.count.y,
+                                   row / result.count.y);
+            auto cube =
+                divider.cube(box.low + result.size * place, result.size, all, depth, budget);
+            if (cube) found[i] = std::move(*cube);
+        };
+        const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+        in_parallel(
+            found.size(), threads, [&] { return Divider(composition, region, 1e-6 * longest); },
+            divide, 1);
     };
-    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    in_parallel(
-        found.size(), threads, [&] { return Divider(composition, region, 1e-6 * longest); }, divide,
-        1);
+    if (budget) {
+        for (int depth = 0; depth < deepest; ++depth) divide_all(depth);
+    }
+    divide_all(deepest);
     join(found, result);
     return result;
 }

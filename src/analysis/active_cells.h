@@ -12,6 +12,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "analysis/budget.h"
 #include "analysis/operand_values.h"
 #include "analysis/region.h"
 #include "eval/tape.h"
@@ -87,8 +88,10 @@ struct ActiveCells {
 /// value of the minimum of all operands, and with a width that of all to 3e-8 of the width. In a
 /// far cell |value| - |p - middle| bounds the field's size from below, whose sign is that of the
 /// value. Rigorous as far as operands and field are 1-Lipschitz, with a margin of 1e-6 of the
-/// region for the rounding in single precision. Work is counted, so that the same is found on every
-/// machine, with any number of cores.
-ActiveCells active_cells(const Composition& composition, const Region& region);
+/// region for the rounding in single precision. Without a budget work is counted, so that the same
+/// is found on every machine, with any number of cores; with one cubes are divided in larger cells
+/// first, which they keep where it is over.
+ActiveCells active_cells(const Composition& composition, const Region& region,
+                         const Budget* budget = nullptr);
 
 }  // namespace analysis

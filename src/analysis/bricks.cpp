@@ -82,12 +82,14 @@ Bricks bricks(const field::Field& field, field::FieldId id, std::span<const doub
         in_parallel(
             open.size(), threads, [&] { return ContentFinder(field, id, parameters); },
             [&](ContentFinder& content, std::size_t i) {
+                if (found.grid.side > 1 && is_over(effort.budget)) return;
                 const std::size_t place = open[i];
                 const auto cell = clip(where, found.grid.widened(found.grid.at(place)));
                 found.bricks[place] = cell ? brick_of(content.over(*cell)) : Brick::outside;
             });
         const std::size_t left = 8 * operations_a_brick * (found.bricks.size() - found.decided());
-        if (left == 0 || 2 * found.grid.side > effort.side || spent + left > effort.operations) {
+        if (left == 0 || 2 * found.grid.side > effort.side || spent + left > effort.operations ||
+            is_over(effort.budget)) {
             return found;
         }
         found = refined(found);

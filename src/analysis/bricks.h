@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "analysis/budget.h"
 #include "analysis/region.h"
 #include "field/field.h"
 
@@ -54,6 +55,8 @@ struct BrickEffort {
     /// The same for bounds of derivatives (leaf_bricks).
     std::size_t jet_operations = 2'000'000;
     int threads = 1;  ///< does not change the result
+    /// When it is over, bricks stay as large and as undecided as they are.
+    const Budget* budget = nullptr;
 };
 
 /// The region with a little more around it, where a ray's rounded position may be.

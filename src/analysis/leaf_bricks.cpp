@@ -96,6 +96,30 @@ BrickBounds bounds_of(const Jet& f, double typical, double brick_size, bool wall
     return bounds;
 }
 
+/// What is known of one cell.
+struct Look {
+    BrickBounds bounds;
+    Brick brick = Brick::surface;
+};
+
+/// Looks at a formula over cells of one size.
+struct Looker {
+    Evaluators evaluators;
+    double size;
+    bool sheet;
+    bool walls_known;
+
+    Look over(const Cell& cell) {
+        const Jet jet = evaluators.over(cell);
+        Look look{bounds_of(jet, median_magnitude(evaluators, cell), size, walls_known)};
+        if (may_break_on(jet.value) || !std::isfinite(look.bounds.lipschitz)) return look;
+        const Interval value = mean_value(cell, jet, evaluators.at(cell.middle()));
+        if (value.is_empty() || value.partial || value.contains(0)) return look;
+        look.brick = sheet || value.lo > 0 ? Brick::outside : Brick::inside;
+        return look;
+    }
+};
+
 }  // namespace
 
 LeafBricks leaf_bricks(const field::Field& field, field::FieldId id, const eval::Tape& f,
@@ -112,22 +136,40 @@ LeafBricks leaf_bricks(const field::Field& field, field::FieldId id, const eval:
     result.bounds.resize(found.bricks.size());
     const Region where = padded(region);
     const bool sheet = kind_of(field, id) == field::Kind::sheet;
-    const double size = glm::length(found.grid.size()) / std::sqrt(3.0);
-    in_parallel(
-        found.bricks.size(), effort.threads, [&] { return Evaluators(f, parameters); },
-        [&](Evaluators& evaluators, std::size_t place) {
-            Brick& brick = found.bricks[place];
-            if (brick != Brick::surface) return;
-            const auto cell = clip(where, found.grid.widened(found.grid.at(place)));
-            if (!cell) return;
-            const Jet jet = evaluators.over(*cell);
-            BrickBounds& bounds = result.bounds[place];
-            bounds = bounds_of(jet, median_magnitude(evaluators, *cell), size, walls_known);
-            if (may_break_on(jet.value) || !std::isfinite(bounds.lipschitz)) return;
-            const Interval value = mean_value(*cell, jet, evaluators.at(cell->middle()));
-            if (value.is_empty() || value.partial || value.contains(0)) return;
-            brick = sheet || value.lo > 0 ? Brick::outside : Brick::inside;
-        });
+    // Cells of one brick, or of many.
+    const auto look_at_cells = [&](const BrickGrid& cells) {
+        const double size = glm::length(cells.size()) / std::sqrt(3.0);
+        const BrickGrid within{{}, found.grid.side / cells.side};
+        in_parallel(
+            cells.count(), effort.threads,
+            [&] {
+                return Looker{{f, parameters}, size, sheet, walls_known};
+            },
+            [&](Looker& looker, std::size_t place) {
+                const auto brick = [&](std::size_t i) {
+                    return found.grid.place(cells.at(place) * within.side + within.at(i));
+                };
+                std::vector<std::size_t> open;
+                for (std::size_t i = 0; i < within.count(); ++i) {
+                    if (found.bricks[brick(i)] == Brick::surface) open.push_back(brick(i));
+                }
+                if (open.empty() || (cells.side > 1 && is_over(effort.budget))) return;
+                const auto cell = clip(where, cells.widened(cells.at(place)));
+                if (!cell) return;
+                const Look look = looker.over(*cell);
+                for (const std::size_t i : open) {
+                    result.bounds[i] = look.bounds;
+                    found.bricks[i] = look.brick;
+                }
+            });
+    };
+    constexpr int finer = 4;
+    if (effort.budget) {
+        for (int side = 1; side < found.grid.side; side *= finer) {
+            look_at_cells({found.grid.box, side});
+        }
+    }
+    look_at_cells(found.grid);
     return result;
 }
 

@@ -26,9 +26,10 @@ struct LeafBricks {
 };
 
 /// Value, gradient and Hessian are enclosed over each brick that may hold a surface; where they
-/// prove that it holds none (mean-value form), the brick is decided after all. `f` is the tape of
-/// the leaf `id`, which is a formula. `parameters` is indexed by ParameterId.
-/// Where `walls_known`, steps end where f jumps, and only being undefined counts as breaking.
+/// prove that it holds none (mean-value form), the brick is decided after all. With a budget that
+/// is done over larger cells before, whose answers stay where it is over. `f` is the tape of the
+/// leaf `id`, which is a formula. `parameters` is indexed by ParameterId. Where `walls_known`,
+/// steps end where f jumps, and only being undefined counts as breaking.
 LeafBricks leaf_bricks(const field::Field& field, field::FieldId id, const eval::Tape& f,
                        std::span<const double> parameters, const Region& region,
                        const BrickEffort& effort, bool walls_known = false);

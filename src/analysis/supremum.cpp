@@ -41,6 +41,7 @@ double supremum_bound(const Region& region, const Effort& effort,
         const Entry top = queue.top();
         if (top.upper <= lower * (1 + effort.tolerance)) break;
         if (top.upper == numeric::infinity && top.depth >= effort.depth) break;
+        if (is_over(effort.budget)) break;
         queue.pop();
         for (const Cell& half : halves(top.cell)) look_at(half, top.depth + 1);
     }

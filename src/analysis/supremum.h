@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "analysis/budget.h"
 #include "analysis/region.h"
 
 namespace analysis {
@@ -14,6 +15,7 @@ struct Effort {
     double tolerance =
         0.05;        ///< stop when the bound is proven to be too large by this part at most
     int depth = 30;  ///< a cell halved so often that is still unbounded counts as unbounded
+    const Budget* budget = nullptr;  ///< when it is over, cells are halved no more
 };
 
 /// What is known about the quantity on one cell.

@@ -150,9 +150,11 @@ std::shared_ptr<const shader::BrickTexels> brick_texels(const field::Field& fiel
                                                         const BoundTapes& tapes,
                                                         std::span<const FieldId> leaves, bool scene,
                                                         const analysis::Region& region,
-                                                        std::span<const double> parameters) {
+                                                        std::span<const double> parameters,
+                                                        const analysis::Budget* budget) {
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const analysis::BrickEffort effort{.side = leaves.empty() ? 32 : 16, .threads = threads};
+    const analysis::BrickEffort effort{
+        .side = leaves.empty() ? 32 : 16, .threads = threads, .budget = budget};
     const auto no_surface = [](Brick brick) { return brick != Brick::surface; };
     const auto nothing = [](Brick brick) { return brick == Brick::outside; };
     std::vector<KnownGrid> known;

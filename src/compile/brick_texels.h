@@ -23,11 +23,12 @@ std::vector<field::FieldId> brick_leaves(const field::Field& field);
 bool has_scene_bricks(const field::Field& field);
 
 /// What programs that list these leaves read, and where the scene is if `scene`; over the region.
-/// The same for any number of cores. Milliseconds.
+/// The same for any number of cores, without a budget. Milliseconds.
 std::shared_ptr<const shader::BrickTexels> brick_texels(const field::Field& field,
                                                         const BoundTapes& tapes,
                                                         std::span<const field::FieldId> leaves,
                                                         bool scene, const analysis::Region& region,
-                                                        std::span<const double> parameters);
+                                                        std::span<const double> parameters,
+                                                        const analysis::Budget* budget = nullptr);
 
 }  // namespace compile

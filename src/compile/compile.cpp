@@ -109,7 +109,8 @@ shader::ProgramSource program_source(const Formula& formula, const scene::Docume
 }
 
 shader::FieldNumbers field_numbers(const Formula& formula, const shader::ProgramSource& source,
-                                   const scene::Document& document) {
+                                   const scene::Document& document,
+                                   const analysis::Budget* budget) {
     std::vector<double> parameters = parameter_values(formula.field, document);
     shader::FieldNumbers numbers;
     if (source.precision == shader::Precision::recentred) {
@@ -121,14 +122,15 @@ shader::FieldNumbers field_numbers(const Formula& formula, const shader::Program
     std::vector<double> expressions(source.expressions.roots.size());
     std::vector<double> registers;
     eval::evaluate<double>(source.expressions, {}, parameters, expressions, registers);
-    FieldBounds bounds(formula.field, formula.tapes, region_of(document.bounds), parameters);
+    FieldBounds bounds(formula.field, formula.tapes, region_of(document.bounds), parameters,
+                       budget);
     std::vector<FamilyHeads> families;
     if (!source.families.empty()) {
         auto texels = std::make_shared<std::vector<float>>();
         for (const shader::FamilyTree& tree : source.family_trees) {
             const std::span tables = std::span(source.families).subspan(tree.first, tree.count);
             const analysis::Region region = region_of(tree, bounds, document.bounds);
-            std::ranges::copy(add_tree(*texels, tree, tables, region, parameters),
+            std::ranges::copy(add_tree(*texels, tree, tables, region, parameters, budget),
                               std::back_inserter(families));
         }
         numbers.families = std::move(texels);
@@ -143,10 +145,11 @@ shader::FieldNumbers field_numbers(const Formula& formula, const shader::Program
         const auto start = std::chrono::steady_clock::now();
         numbers.bricks =
             brick_texels(formula.field, formula.tapes, source.bricks, source.scene_bricks,
-                         visible_region(document.bounds), parameters);
+                         visible_region(document.bounds), parameters, budget);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
         numbers.brick_seconds = taken.count();
     }
+    numbers.coarse = budget && budget->was_over();
     return numbers;
 }
 

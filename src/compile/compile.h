@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/budget.h"
 #include "base/result.h"
 #include "compile/field_bounds.h"
 #include "compile/parameter_values.h"
@@ -32,7 +33,8 @@ struct Formula {
 /// Spans are bytes of the text. All problems are reported, not only the first.
 base::Result<Formula> compile_formula(std::string_view text);
 
-/// What of a formula and a document changes the program beside the field.
+/// What of a formula and a document changes the program beside the field; the precision is left
+/// as it is by default.
 shader::Features features(const Formula& formula, const scene::Document& document,
                           const shader::Outputs& outputs);
 
@@ -43,8 +45,10 @@ shader::ProgramSource program_source(const Formula& formula, const scene::Docume
                                      shader::Outputs outputs);
 
 /// The numbers of one frame that come from the formula: hoisted expressions and bounds of
-/// derivatives, in the order of ProgramSource::field_values. Runs the analyses; milliseconds.
+/// derivatives, in the order of ProgramSource::field_values. Runs the analyses, as far as the
+/// budget goes; without one milliseconds, and the same each time.
 shader::FieldNumbers field_numbers(const Formula& formula, const shader::ProgramSource& source,
-                                   const scene::Document& document);
+                                   const scene::Document& document,
+                                   const analysis::Budget* budget = nullptr);
 
 }  // namespace compile

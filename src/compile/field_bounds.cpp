@@ -78,8 +78,8 @@ const std::optional<Region>& FieldBounds::region(const Path& cells) {
 
 double FieldBounds::of_displacement(const eval::Tape& tapes, const Path& cells) {
     const Region where = region(cells).value_or(all_of_space);
-    if (analysis::may_break(tapes, where, parameters_, {})) return numeric::infinity;
-    return analysis::gradient_bound(tapes, where, parameters_, {});
+    if (analysis::may_break(tapes, where, parameters_, effort_)) return numeric::infinity;
+    return analysis::gradient_bound(tapes, where, parameters_, effort_);
 }
 
 double FieldBounds::of_distortions(FieldId leaf, const Path& cells) {
@@ -88,7 +88,7 @@ double FieldBounds::of_distortions(FieldId leaf, const Path& cells) {
     const Region where = region(cells).value_or(all_of_space);
     double largest = 0;
     for (const DistortionTapes& it : found->second) {
-        double constant = analysis::jacobian_norm_bound(it.image, where, parameters_);
+        double constant = analysis::jacobian_norm_bound(it.image, where, parameters_, effort_);
         if (it.displacement) {
             constant = numeric::add_up(constant, of_displacement(*it.displacement, cells));
         }
@@ -102,7 +102,7 @@ analysis::LeafBounds FieldBounds::leaf_bounds(FieldId leaf, const Path& cells) {
     // Rays without an end leave every region that could be bounded: the first order takes over.
     if (!where) return {};
     const eval::Tape& tapes = tapes_.formulas.at(leaf);
-    analysis::LeafBounds bounds = analysis::leaf_bounds(tapes, *where, parameters_);
+    analysis::LeafBounds bounds = analysis::leaf_bounds(tapes, *where, parameters_, effort_);
     const double by_rules = of_distortions(leaf, cells);
     if (by_rules < numeric::infinity && (bounds.partial || by_rules < bounds.lipschitz)) {
         // What is made of distances by continuous maps is continuous.

@@ -40,8 +40,11 @@ public:
     using Path = std::vector<field::FieldId>;
 
     FieldBounds(const field::Field& field, const BoundTapes& tapes,
-                std::optional<analysis::Region> region, std::span<const double> parameters)
-        : field_(field), tapes_(tapes), region_(region), parameters_(parameters) {}
+                std::optional<analysis::Region> region, std::span<const double> parameters,
+                const analysis::Budget* budget = nullptr)
+        : field_(field), tapes_(tapes), region_(region), parameters_(parameters) {
+        effort_.budget = budget;
+    }
 
     /// Of a formula that is no distance, in these cells (outermost first).
     const analysis::LeafBounds& of_leaf(field::FieldId leaf, const Path& cells);
@@ -65,6 +68,7 @@ private:
     const BoundTapes& tapes_;
     std::optional<analysis::Region> region_;
     std::span<const double> parameters_;
+    analysis::Effort effort_;
     std::map<Place, analysis::LeafBounds> leaves_;
     std::map<Path, std::optional<analysis::Region>> regions_;
 };

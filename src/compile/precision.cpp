@@ -33,6 +33,9 @@ constexpr double cells_factor = 4;
 /// So many points are looked at in all leaves together, and in one at most.
 constexpr std::size_t most_samples = 1024;
 constexpr std::size_t most_samples_of_leaf = 48;
+/// And fewer where that would be so many operators and more; that is longer than a slider can wait.
+constexpr std::size_t most_operators = 100'000;
+constexpr std::size_t least_samples_of_leaf = 8;
 
 double largest(glm::dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -82,8 +85,11 @@ private:
     double of_formula(const field::Formula& leaf) const {
         const eval::Tape tape = eval::make_tape(field_.graph, std::array{leaf.value});
         const analysis::Region seen{look_.target, glm::dvec3(look_.radius), true};
-        const auto found = analysis::heuristic_displacement(
-            tape, seen, parameters_, look_.position(), static_cast<unsigned>(samples_));
+        const std::size_t samples = std::clamp(most_operators / (tape.instructions.size() + 1),
+                                               least_samples_of_leaf, most_samples_of_leaf);
+        const auto found =
+            analysis::heuristic_displacement(tape, seen, parameters_, look_.position(),
+                                             static_cast<unsigned>(std::min(samples, samples_)));
         if (!found) return look_.position();
         return std::isfinite(*found) ? *found : unknown_;
     }

@@ -26,6 +26,8 @@ struct FieldNumbers {
     std::vector<double> values;
     std::shared_ptr<const BrickTexels> bricks;  ///< none if the program uses none
     double brick_seconds = 0;                   ///< what finding them took; not compared
+    /// Bounds are as sure as ever, but with more time they would be closer; not compared.
+    bool coarse = false;
     /// The origin of the program's coordinates in the world.
     std::array<double, 3> origin{};
     /// The texels of families (shader/family_table.h), four numbers each; nothing without families.

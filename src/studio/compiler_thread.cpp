@@ -15,6 +15,11 @@
 namespace studio {
 namespace {
 
+/// About a frame: a slider moves the picture while it is being moved.
+constexpr double analysis_seconds = 0.015;
+/// A slider that has not moved for so long is at rest.
+constexpr std::chrono::milliseconds rest(100);
+
 base::Result<std::unique_ptr<render::Program>> link(const render::Gl& gl,
                                                     const shader::ProgramSource& source) {
     auto linked = render::Program::link(gl, source);
@@ -111,6 +116,14 @@ void CompilerThread::run() {
 bool CompilerThread::serve() {
     std::unique_lock lock(mutex_);
     activity_ = Activity::idle;
+    if (coarse_ && !wanted_.wait_for(lock, rest, [&] { return something_is_urgent(); })) {
+        activity_ = Activity::compiling;
+        lock.unlock();
+        refine();
+        lock.lock();
+        activity_ = Activity::idle;
+        return true;
+    }
     wanted_.wait(lock, [&] { return something_is_urgent() || trial_request_; });
     if (stop_) return false;
     if (request_) {
@@ -161,10 +174,26 @@ void CompilerThread::build(const scene::Document& document) {
         const std::lock_guard lock(mutex_);
         return stop_ || (request_ && request_->formula != document.formula);
     };
-    auto built = builder_.build(document, superseded);
+    const analysis::Budget budget = analysis::Budget::of_seconds(analysis_seconds);
+    auto built = builder_.build(document, superseded, &budget);
+    coarse_.reset();
     if (!built) return;
+    if (builder_.is_coarse()) coarse_ = document;
     // The other context may use a program only once the commands that made it are done.
     context_.gl().Finish();
+    publish(std::move(*built));
+}
+
+/// Does for a slider at rest what there was no time for; given up for anything that is urgent.
+void CompilerThread::refine() {
+    const auto urgent = [this] {
+        const std::lock_guard lock(mutex_);
+        return something_is_urgent();
+    };
+    const analysis::Budget budget(urgent);
+    auto built = builder_.build(*coarse_, urgent, &budget);
+    if (!built || builder_.is_coarse()) return;
+    coarse_.reset();
     publish(std::move(*built));
 }
 

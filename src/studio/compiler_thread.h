@@ -53,7 +53,8 @@ public:
     void request_still(StillRequest still);
     void request_trial(TrialRequest trial);
 
-    /// The newest scene, once. Everything the thread's context did for it is complete.
+    /// The newest scene, once; one whose analyses had to be cut short comes again when nothing else
+    /// has been asked for a while. Everything the thread's context did for it is complete.
     std::optional<BuiltScene> take_scene();
     std::vector<StillAnswer> take_stills();
     /// The newest answer, once. A trial is given up for anything else that is asked for.
@@ -67,12 +68,14 @@ private:
     void draw_still(std::unique_lock<std::mutex>& lock);
     void draw_trial(std::unique_lock<std::mutex>& lock);
     void build(const scene::Document& document);
+    void refine();
     void publish(BuiltScene scene);
     base::Status draw(const StillRequest& still);
 
     render::Context& context_;
     std::function<void()> wake_;
     SceneBuilder builder_;
+    std::optional<scene::Document> coarse_;    ///< what is to be analysed again, with more time
     std::optional<TrialCanvas> trial_canvas_;  ///< used and destroyed on the thread
 
     mutable std::mutex mutex_;  ///< guards everything below

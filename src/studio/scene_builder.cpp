@@ -28,9 +28,10 @@ shader::Outputs outputs_for(const scene::Document& document) {
 }  // namespace
 
 std::optional<BuiltScene> SceneBuilder::build(const scene::Document& document,
-                                              const std::function<bool()>& superseded) {
+                                              const std::function<bool()>& superseded,
+                                              const analysis::Budget* budget) {
     try {
-        return build_throwing(document, superseded);
+        return build_throwing({document, superseded, budget});
     } catch (const std::exception& exception) {
         BuiltScene built;
         built.text = document.formula;
@@ -41,35 +42,38 @@ std::optional<BuiltScene> SceneBuilder::build(const scene::Document& document,
     }
 }
 
-std::optional<BuiltScene> SceneBuilder::build_throwing(const scene::Document& document,
-                                                       const std::function<bool()>& superseded) {
+std::optional<BuiltScene> SceneBuilder::build_throwing(const Wanted& wanted) {
+    const scene::Document& document = wanted.document;
     if (text_ != document.formula) {
-        if (superseded()) return std::nullopt;
+        if (wanted.superseded()) return std::nullopt;
         read(document.formula);
     }
     BuiltScene built;
     built.text = *text_;
     built.diagnostics = diagnostics_;
-    if (!make_drawable(document, built, superseded)) return std::nullopt;
+    if (!make_drawable(wanted, built)) return std::nullopt;
     if (drawn_) {
-        built.field_numbers = numbers_of_drawn(document);
+        update_numbers(wanted);
+        built.field_numbers = drawn_->numbers;
         built.bounds = document.bounds;
-        built.steps = compile::summary(compile::step_rules(drawn_->formula.field, drawn_->source,
-                                                           *built.field_numbers, document));
-        built.precision = compile::choose_precision(drawn_->formula, document);
-        built.precision.precision = drawn_->source.precision;
+        built.steps = compile::summary(
+            compile::step_rules(drawn_->formula.field, drawn_->source, drawn_->numbers, document));
+        if (is_coarse()) built.steps += "; bounds are still coarse";
+        built.precision = drawn_->precision;
     }
     return built;
 }
 
-/// Analyses run only where something has changed that they read.
-const shader::FieldNumbers& SceneBuilder::numbers_of_drawn(const scene::Document& document) {
-    if (!reads_alike(drawn_->numbers_of, document)) {
-        drawn_->numbers = compile::field_numbers(drawn_->formula, drawn_->source, document);
-        drawn_->numbers_of = document;
-        ++work_.analyses;
-    }
-    return drawn_->numbers;
+/// Analyses run only where something has changed that they read, or where they had no time.
+void SceneBuilder::update_numbers(const Wanted& wanted) {
+    const bool alike = reads_alike(drawn_->numbers_of, wanted.document);
+    if (alike && !drawn_->numbers.coarse) return;
+    shader::FieldNumbers numbers =
+        compile::field_numbers(drawn_->formula, drawn_->source, wanted.document, wanted.budget);
+    ++work_.analyses;
+    if (alike && numbers.coarse) return;
+    drawn_->numbers = std::move(numbers);
+    drawn_->numbers_of = wanted.document;
 }
 
 void SceneBuilder::read(const std::string& text) {
@@ -87,8 +91,8 @@ void SceneBuilder::read(const std::string& text) {
 }
 
 /// Links a program if another one is needed. False if it was left because of a newer request.
-bool SceneBuilder::make_drawable(const scene::Document& document, BuiltScene& built,
-                                 const std::function<bool()>& superseded) {
+bool SceneBuilder::make_drawable(const Wanted& wanted, BuiltScene& built) {
+    const scene::Document& document = wanted.document;
     const compile::Formula* formula = candidate_ ? &*candidate_ : this->formula();
     if (!formula) return true;
     if (understood_) {
@@ -96,17 +100,24 @@ bool SceneBuilder::make_drawable(const scene::Document& document, BuiltScene& bu
         const base::Diagnostics warnings = compile::check_scene(*formula, document);
         built.diagnostics.insert(built.diagnostics.end(), warnings.begin(), warnings.end());
     }
-    shader::ProgramSource source =
-        compile::program_source(*formula, document, outputs_for(document));
+    compile::PrecisionChoice precision = compile::choose_precision(*formula, document);
+    shader::Features features = compile::features(*formula, document, outputs_for(document));
+    features.precision = precision.precision;
+    if (!candidate_ && drawn_ && features == drawn_->features) {
+        drawn_->precision = std::move(precision);
+        return true;
+    }
+    shader::ProgramSource source = shader::program_source(formula->field, features);
+    ++work_.sources;
     const bool another = !drawn_ || !source.same_text(drawn_->source);
     if (another && rejected_ && source.same_text(*rejected_)) {
         built.failures = rejection_;
         return true;
     }
     if (!another && !candidate_) return true;
-    if (another && superseded()) return false;
-    Drawn next{.formula = *formula, .source = std::move(source)};
-    next.numbers = compile::field_numbers(next.formula, next.source, document);
+    if (another && wanted.superseded()) return false;
+    Drawn next{*formula, std::move(features), std::move(precision), std::move(source)};
+    next.numbers = compile::field_numbers(next.formula, next.source, document, wanted.budget);
     next.numbers_of = document;
     ++work_.analyses;
     if (another) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/budget.h"
 #include "base/result.h"
 #include "compile/compile.h"
 #include "compile/precision.h"
@@ -38,6 +39,7 @@ struct BuiltScene {
 /// How much work building was, since the beginning.
 struct BuildWork {
     int links = 0;     ///< programs
+    int sources = 0;   ///< texts of programs
     int analyses = 0;  ///< of the field over the region: its numbers
 };
 
@@ -51,9 +53,14 @@ public:
     explicit SceneBuilder(Link link) : link_(std::move(link)) {}
 
     /// `superseded` is asked before anything slow; where it says yes, the document is left as it
-    /// is, and nothing is answered. Exceptions from below come back as failures.
+    /// is, and nothing is answered. Exceptions from below come back as failures. Analyses end when
+    /// the budget is over (null: never); building the same document again goes on from there.
     std::optional<BuiltScene> build(const scene::Document& document,
-                                    const std::function<bool()>& superseded);
+                                    const std::function<bool()>& superseded,
+                                    const analysis::Budget* budget = nullptr);
+
+    /// Whether the newest numbers would be closer if there had been more time.
+    bool is_coarse() const { return drawn_ && drawn_->numbers.coarse; }
 
     const BuildWork& work_done() const { return work_; }
     /// The formula of the picture; none before the first good one.
@@ -62,18 +69,24 @@ public:
 private:
     struct Drawn {
         compile::Formula formula;
+        shader::Features features;
+        compile::PrecisionChoice precision;
         shader::ProgramSource source;
         shader::FieldNumbers numbers{};
         scene::Document numbers_of{};
     };
 
-    const shader::FieldNumbers& numbers_of_drawn(const scene::Document& document);
+    /// What a document asks for.
+    struct Wanted {
+        const scene::Document& document;
+        const std::function<bool()>& superseded;
+        const analysis::Budget* budget;
+    };
 
-    std::optional<BuiltScene> build_throwing(const scene::Document& document,
-                                             const std::function<bool()>& superseded);
+    void update_numbers(const Wanted& wanted);
+    std::optional<BuiltScene> build_throwing(const Wanted& wanted);
     void read(const std::string& text);
-    bool make_drawable(const scene::Document& document, BuiltScene& built,
-                       const std::function<bool()>& superseded);
+    bool make_drawable(const Wanted& wanted, BuiltScene& built);
 
     Link link_;
     BuildWork work_;

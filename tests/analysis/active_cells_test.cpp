@@ -11,6 +11,7 @@
 
 #include <glm/glm.hpp>
 
+#include "analysis/counted_budget.h"
 #include "graph/build.h"
 
 namespace analysis {
@@ -243,6 +244,38 @@ TEST(ActiveCells, are_in_order_and_the_same_each_time) {
     EXPECT_TRUE(std::ranges::equal(cells.cells, again.cells, same));
     EXPECT_EQ(cells.begins, again.begins);
     EXPECT_EQ(cells.operands, again.operands);
+}
+
+TEST(ActiveCells, have_longer_lists_when_time_runs_out) {
+    std::mt19937 random(21);
+    const Scene scene(random, 300, 1);
+    const Region box{glm::dvec3(0), glm::dvec3(1), false};
+    const std::vector<std::uint32_t> all = all_of(scene);
+    const auto found = [&](const Budget* budget) {
+        return active_cells({.minima = {{scene.operands, 0.05}}}, box, budget);
+    };
+    const ActiveCells fine = found(nullptr);
+    std::uniform_real_distribution<double> place(-1, 1);
+    double longest = 1e9;
+    for (const int questions : {0, 1, 200, 1000, 3000, 10'000'000}) {
+        const Budget budget = over_after(questions);
+        const ActiveCells cells = found(&budget);
+        EXPECT_EQ(budget.was_over(), questions < 10'000'000) << questions;
+        double length = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const glm::dvec3 p(place(random), place(random), place(random));
+            const std::span list = cells.of(cells.cells[cells.at(p).cell].place);
+            const std::span closer = fine.of(fine.cells[fine.at(p).cell].place);
+            ASSERT_NEAR(scene.minimum(list, p, 0.05), scene.minimum(all, p, 0.05), 2e-9);
+            // Whatever can matter in a part can matter in the whole.
+            ASSERT_GE(list.size(), closer.size()) << questions;
+            length += static_cast<double>(list.size());
+        }
+        EXPECT_LE(length, 1.1 * longest) << questions;
+        longest = length;
+    }
+    const Budget enough = over_after(10'000'000);
+    EXPECT_EQ(found(&enough).operands, fine.operands);
 }
 
 }  // namespace

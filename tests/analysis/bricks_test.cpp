@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "analysis/counted_budget.h"
 #include "analysis/random_scene.h"
 #include "eval/field_value.h"
 #include "field/shapes.h"
@@ -128,6 +129,45 @@ TEST(Bricks, stay_larger_where_the_effort_is_small) {
     EXPECT_EQ(side(0), 1);
     EXPECT_LT(side(20'000), side(2'000'000));
     EXPECT_EQ(side(100'000'000), 64);
+}
+
+TEST(Bricks, are_less_decided_when_time_runs_out_and_never_wrong) {
+    constexpr unsigned seed = 20261123;
+    eval::Random random(seed);
+    int coarse = 0;
+    for (int i = 0; i < 60; ++i) {
+        const RandomScene scene(random, i % 3 == 0);
+        const auto found = [&](const Budget* budget) {
+            return bricks(scene.field, scene.field.root, scene.parameters, ball,
+                          {.side = 8, .threads = 1 + i % 2, .budget = budget});
+        };
+        const Bricks fine = found(nullptr);
+        for (const int questions : {0, 1, 2, 5, 20, 100}) {
+            SCOPED_TRACE("scene " + std::to_string(i) + ", seed " + std::to_string(seed) + ", " +
+                         std::to_string(questions) + " questions");
+            const Budget budget = over_after(questions);
+            const Bricks some = found(&budget);
+            coarse += budget.was_over();
+            if (!budget.was_over()) {
+                EXPECT_EQ(some.bricks, fine.bricks);
+            }
+            ASSERT_LE(some.grid.side, fine.grid.side);
+            const int ratio = fine.grid.side / some.grid.side;
+            // What is decided of a large brick is decided of all within it; a brick that is outside
+            // of the region may be either.
+            for (std::size_t k = 0; k < fine.bricks.size(); ++k) {
+                const Brick large = some.at(fine.grid.at(k) / ratio);
+                const bool beyond = !clip(ball, fine.grid.widened(fine.grid.at(k)));
+                if (large != Brick::surface && !beyond) {
+                    EXPECT_EQ(fine.bricks[k], large) << k;
+                }
+            }
+        }
+        const Budget enough = over_after(1'000'000);
+        EXPECT_EQ(found(&enough).bricks, fine.bricks);
+        EXPECT_FALSE(enough.was_over());
+    }
+    EXPECT_GT(coarse, 100);
 }
 
 }  // namespace

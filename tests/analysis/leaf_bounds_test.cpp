@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/counted_budget.h"
 #include "analysis/formulas.h"
 #include "analysis/heuristic_stiffness.h"
 
@@ -38,6 +39,25 @@ TEST(LeafBounds, of_one_steep_place_far_from_the_rest_are_stiff) {
         bounds_of(Formula([](Expr x, Expr y, Expr) { return exp(20.0 * x) + y; }));
     EXPECT_LT(bounds.lipschitz, infinity);
     EXPECT_TRUE(bounds.stiff);
+}
+
+TEST(LeafBounds, are_larger_when_time_runs_out) {
+    const Formula f(barth_sextic);
+    const LeafBounds fine = bounds_of(f);
+    LeafBounds last{.lipschitz = infinity, .second_derivative = infinity};
+    for (const int questions : {0, 1, 10, 100, 100'000}) {
+        const Budget budget = over_after(questions);
+        const LeafBounds some =
+            leaf_bounds(tape_of(f), Region{}, no_parameters, {.budget = &budget});
+        EXPECT_EQ(budget.was_over(), questions < 100'000);
+        EXPECT_GE(some.lipschitz, fine.lipschitz);
+        EXPECT_GE(some.second_derivative, fine.second_derivative);
+        EXPECT_LE(some.lipschitz, last.lipschitz);
+        EXPECT_LE(some.second_derivative, last.second_derivative);
+        EXPECT_LT(some.second_derivative, infinity);
+        last = some;
+    }
+    EXPECT_EQ(last.second_derivative, fine.second_derivative);
 }
 
 TEST(HeuristicStiffness, counts_the_steps_through_a_distance_field) {

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "analysis/counted_budget.h"
 #include "analysis/formulas.h"
 #include "analysis/spectral_norm.h"
 #include "analysis/symbolic_derivatives.h"
@@ -182,6 +183,42 @@ TEST(LeafBricks, are_the_same_on_any_number_of_threads) {
             EXPECT_EQ(one.bounds[i].second_derivative, other.bounds[i].second_derivative);
         }
     }
+}
+
+TEST(LeafBricks, are_bounded_by_larger_cells_when_time_runs_out) {
+    const Formula f(barth_sextic);
+    const Sheet sheet(f);
+    const eval::Tape derivatives = symbolic_derivatives(f.graph, f.value);
+    const LeafBricks fine = sheet.known();
+    double certified = -1;
+    for (const int questions : {0, 1, 10, 100, 500, 1000, 2000, 1'000'000}) {
+        const Budget budget = over_after(questions);
+        const LeafBricks some = sheet.known({}, {.threads = 2, .budget = &budget});
+        SCOPED_TRACE(std::to_string(questions) + " questions");
+        EXPECT_EQ(budget.was_over(), questions < 1'000'000);
+        const Finite finite = expect_bounds_hold(some, derivatives, {});
+        EXPECT_EQ(finite.first, finite.second);
+        EXPECT_EQ(finite.first, some.bricks.bricks.size() - some.bricks.decided());
+        const BrickGrid& grid = fine.bricks.grid;
+        const int ratio = grid.side / some.bricks.grid.side;
+        double part = 0;
+        for (std::size_t i = 0; i < grid.count(); ++i) {
+            const std::size_t large = some.bricks.grid.place(grid.at(i) / ratio);
+            const bool open = some.bricks.bricks[large] == Brick::surface;
+            part += !open || some.bounds[large].certified();
+            if (fine.bricks.bricks[i] != Brick::surface) continue;
+            ASSERT_TRUE(open) << i;
+            EXPECT_GE(some.bounds[large].lipschitz, fine.bounds[i].lipschitz) << i;
+            EXPECT_GE(some.bounds[large].second_derivative * (1 + 1e-9),
+                      fine.bounds[i].second_derivative)
+                << i;
+        }
+        // More time is worth something.
+        EXPECT_GE(part, certified);
+        certified = part;
+    }
+    const Budget enough = over_after(1'000'000);
+    EXPECT_EQ(sheet.known({}, {.budget = &enough}).bricks.bricks, fine.bricks.bricks);
 }
 
 }  // namespace

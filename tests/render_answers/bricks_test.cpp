@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/counted_budget.h"
 #include "compile/compile.h"
 #include "headless.h"
 #include "render_answers/shot.h"
@@ -14,14 +15,14 @@ namespace {
 constexpr shader::Outputs counted{
     .picture = false, .geometry = true, .normal = true, .count = true};
 
-render::Still draw(const Query& query, bool by_bricks) {
+render::Still draw(const Query& query, bool by_bricks, const analysis::Budget* budget = nullptr) {
     const scene::Document document = document_of(query);
     const auto formula = compile::compile_formula(document.formula);
     shader::Features features = compile::features(*formula, document, counted);
     EXPECT_FALSE(features.bricks.empty()) << query.formula;
     if (!by_bricks) features.bricks.clear();
     const shader::ProgramSource source = shader::program_source(formula->field, features);
-    const shader::FieldNumbers numbers = compile::field_numbers(*formula, source, document);
+    const shader::FieldNumbers numbers = compile::field_numbers(*formula, source, document, budget);
     EXPECT_EQ(numbers.bricks != nullptr, by_bricks);
     const render::View view = render::whole(query.width, query.height);
     const scene::Camera camera =
@@ -72,6 +73,22 @@ TEST(Bricks, change_no_picture_that_is_certified_without_them_but_at_silhouettes
             EXPECT_EQ(count(with, shader::Status::unresolved), 0) << formula;
         }
     }
+}
+
+TEST(Bricks, that_are_coarse_for_lack_of_time_show_the_same) {
+    Query query{"exp(x^2 + y^2 + z^2) = 3 + x*y", sphere_bounds(1.5), camera({2.1, 1.5, 3.2})};
+    query.settings.epsilon = 0.01;
+    const render::Still fine = draw(query, true);
+    double most = 0;
+    for (const int questions : {0, 3, 30, 300}) {
+        const analysis::Budget budget = analysis::over_after(questions);
+        const render::Still coarse = draw(query, true, &budget);
+        EXPECT_TRUE(budget.was_over());
+        EXPECT_LE(different(fine, coarse), 4) << questions;
+        EXPECT_EQ(count(coarse, shader::Status::unresolved), 0) << questions;
+        most = std::max(most, evaluations(coarse));
+    }
+    EXPECT_GT(most, 1.2 * evaluations(fine));
 }
 
 TEST(Bricks, save_evaluations_where_the_bound_of_the_region_is_poor) {

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/counted_budget.h"
+
 namespace {
 
 using studio::BuiltScene;
@@ -48,6 +50,7 @@ TEST(SceneBuilder, links_once_for_any_values_of_parameters) {
     ASSERT_TRUE(second && second->field_numbers);
     EXPECT_EQ(driver.links, 1);
     EXPECT_EQ(builder.work_done().links, 1);
+    EXPECT_EQ(builder.work_done().sources, 1);
     EXPECT_EQ(builder.work_done().analyses, 2);
     EXPECT_NE(*first->field_numbers, *second->field_numbers);
 }
@@ -73,6 +76,42 @@ TEST(SceneBuilder, analyses_only_what_has_changed) {
     EXPECT_NE(*first->field_numbers, *third->field_numbers);
     EXPECT_EQ(builder.work_done().analyses, 2);
     EXPECT_EQ(driver.links, 1);
+}
+
+TEST(SceneBuilder, analyses_what_time_allows_first_and_the_rest_when_asked_again) {
+    FakeDriver driver;
+    SceneBuilder builder(driver.link());
+    scene::Document document =
+        with_formula("param a = 1 in [0, 2]\nexp(a*x^2) + y^4 + z^2 - x*y*z = 3");
+    ASSERT_TRUE(builder.build(document, never));
+    EXPECT_FALSE(builder.is_coarse());
+    document.parameters["a"] = 1.5;
+    const analysis::Budget frame = analysis::over_after(3);
+    const auto moved = builder.build(document, never, &frame);
+    ASSERT_TRUE(moved && moved->field_numbers);
+    EXPECT_TRUE(builder.is_coarse());
+    EXPECT_TRUE(moved->field_numbers->coarse);
+    EXPECT_NE(moved->steps.find("coarse"), std::string::npos);
+    // Given up for something more urgent: what there was stays.
+    const analysis::Budget none = analysis::over_after(0);
+    const auto same = builder.build(document, never, &none);
+    ASSERT_TRUE(same && same->field_numbers);
+    EXPECT_TRUE(builder.is_coarse());
+    EXPECT_EQ(*same->field_numbers, *moved->field_numbers);
+    const auto refined = builder.build(document, never);
+    ASSERT_TRUE(refined && refined->field_numbers);
+    EXPECT_FALSE(builder.is_coarse());
+    EXPECT_EQ(refined->steps.find("coarse"), std::string::npos);
+    EXPECT_NE(*refined->field_numbers, *moved->field_numbers);
+    EXPECT_EQ(builder.work_done().analyses, 4);
+    // As if there had been time at once, and nothing more is to do.
+    SceneBuilder patient(driver.link());
+    const auto at_once = patient.build(document, never);
+    ASSERT_TRUE(at_once && builder.build(document, never));
+    EXPECT_EQ(*refined->field_numbers, *at_once->field_numbers);
+    EXPECT_EQ(builder.work_done().analyses, 4);
+    EXPECT_EQ(builder.work_done().links, 1);
+    EXPECT_EQ(builder.work_done().sources, 1);
 }
 
 TEST(SceneBuilder, keeps_the_last_good_scene_while_the_text_is_broken) {
