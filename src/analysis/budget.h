@@ -33,6 +33,9 @@ private:
     mutable std::atomic<bool> over_ = false;
 };
 
+/// What a slider's move is given: a frame.
+inline constexpr double frame_seconds = 0.015;
+
 /// Null is without end.
 inline bool is_over(const Budget* budget) { return budget && budget->is_over(); }
 

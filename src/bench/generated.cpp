@@ -31,9 +31,10 @@ std::string many_primitives(int count) {
     const int bites = count / 5;
     return fmt::format(
         "ball(a, b, c) = translate(sphere({:.4f}), (a, b, c))\n"
-        "width = {:.4f}\n"
+        "param blend = 0.3 in [0.1, 0.5]\n"
+        "width = {:.4f}blend\n"
         "smooth_difference({}, {}, width)\n",
-        size, 0.3 * size, blended(count - bites, 0), blended(bites, 0.8 * size));
+        size, size, blended(count - bites, 0), blended(bites, 0.8 * size));
 }
 
 std::optional<scene::Document> generated_scene(std::string_view name) {

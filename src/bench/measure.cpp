@@ -10,6 +10,7 @@
 #include "bench/kept_program.h"
 #include "bench/plain.h"
 #include "bench/plain_parts.h"
+#include "bench/slider_move.h"
 #include "bench/statistics.h"
 #include "render/depth_texture.h"
 #include "shader/assembly.h"
@@ -50,6 +51,7 @@ public:
     base::Status add_plain(const std::string& name);
     base::Status add_limit();
     base::Status add_passes(const std::string& tracer);
+    base::Status add_slider();
     void draw_rounds();
 
     PresetReport report;
@@ -319,6 +321,21 @@ base::Status Measurement::add_passes(const std::string& tracer) {
     return base::Done{};
 }
 
+/// Also a first draw, in which the driver may compile.
+base::Status Measurement::add_slider() {
+    const scene::Document own = document("auto", {});
+    const auto source = compile::program_source(subject_.formula, own, picture_only);
+    auto kept = keep_source(source);
+    if (!kept) return kept.problems();
+    const render::Frame shown = frame(own, picture_);
+    timed_draw(picture_, *kept, shown);
+    report.slider = move_slider(subject_.formula, source, own, [&](shader::FieldNumbers numbers) {
+        kept->numbers = std::move(numbers);
+        timed_draw(picture_, *kept, shown);
+    });
+    return base::Done{};
+}
+
 void Measurement::tell(const Timed& timed, std::vector<double> seconds) {
     const double median = quantile(seconds, 0.5);
     if (timed.part == Part::yardstick) {
@@ -375,6 +392,7 @@ base::Result<Measured> measure(render::Context& context, const Subject& subject,
     for (const std::string& tracer : options.passes) {
         if (auto added = work->add_passes(tracer); !added) return added.problems();
     }
+    if (auto added = work->add_slider(); !added) return added.problems();
     work->draw_rounds();
     return Measured{std::move(work->report), std::move(work->pictures)};
 }

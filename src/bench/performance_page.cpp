@@ -71,7 +71,7 @@ std::string ratios(const Report& report) {
 
 std::string passes(const Report& report) {
     Rows rows{{"preset", "tracer", "to the surface", "normal", "light", "shadows", "parse, ms",
-               "analysis, ms", "link, ms", "first frame, ms"}};
+               "analysis, ms", "link, ms", "first frame, ms", "slider, ms", "to its picture, ms"}};
     for (const PresetReport& preset : report.presets) {
         for (const Entry& entry : preset.entries) {
             if (!entry.passes) continue;
@@ -83,6 +83,12 @@ std::string passes(const Report& report) {
             rows.back().push_back(fmt::format("{:.1f}", 1e3 * preset.analyse_seconds));
             rows.back().push_back(fmt::format("{:.0f}", 1e3 * entry.link_seconds));
             rows.back().push_back(fmt::format("{:.0f}", 1e3 * entry.first_frame_seconds));
+            const auto& slider = preset.slider;
+            rows.back().push_back(slider ? fmt::format("{:.1f}{}", 1e3 * slider->before_seconds,
+                                                       slider->coarse ? ", coarse" : "")
+                                         : "");
+            rows.back().push_back(slider ? fmt::format("{:.1f}", 1e3 * slider->picture_seconds)
+                                         : "");
         }
     }
     return markdown_table(rows);
@@ -137,6 +143,11 @@ std::string performance_page(const Report& report, const std::vector<TortureScen
         "normal, with light, with shadows. Link and first frame ";
     page += report.machine.shader_cache ? "may come from Mesa's cache on disk.\n\n"
                                         : "were measured without Mesa's cache on disk.\n\n";
+    page +=
+        "A slider's move is one of the formula's first number, by a hundredth of its range: what "
+        "comes before drawing, with the studio's 15 ms for analyses (coarse: they had to be cut "
+        "short, and are completed when the slider rests), and all until the picture is there. "
+        "Nothing is linked.\n\n";
     page += passes(report);
     page.pop_back();
     return page;

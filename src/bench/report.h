@@ -47,6 +47,15 @@ struct Passes {
     friend bool operator==(const Passes&, const Passes&) = default;
 };
 
+/// What moving a slider costs, as in the studio: nothing is linked. Medians of a few moves.
+struct SliderMove {
+    double before_seconds = 0;   ///< from the new value to drawing: analyses within their budget
+    double picture_seconds = 0;  ///< from the new value to the finished picture
+    bool coarse = false;         ///< the budget was over before all bounds were close
+
+    friend bool operator==(const SliderMove&, const SliderMove&) = default;
+};
+
 /// Shares of the whole frame, which add up to 1; a difference below 0 counts as none.
 std::array<double, 4> shares(const Passes& passes);
 
@@ -68,10 +77,11 @@ struct Entry {
 /// All of one preset. In each round each of its entries was drawn once, but for slow ones.
 struct PresetReport {
     std::string preset;
-    bool smooth = false;         ///< proven: smooth, and defined all over the bounds
-    bool proven = true;          ///< the reference proves what it does not call undecided
-    double parse_seconds = 0;    ///< from the text to a field that has passed all passes
-    double analyse_seconds = 0;  ///< from that to the program's text and numbers: a median
+    bool smooth = false;                 ///< proven: smooth, and defined all over the bounds
+    bool proven = true;                  ///< the reference proves what it does not call undecided
+    double parse_seconds = 0;            ///< from the text to a field that has passed all passes
+    double analyse_seconds = 0;          ///< from that to the program's text and numbers: a median
+    std::optional<SliderMove> slider{};  ///< none if the formula has no number to move
     std::vector<double> yardstick_seconds;   ///< by round: what a fixed program took beside them
     std::map<std::string, double> settings;  ///< the preset's own, of those that can be moved
     std::vector<Entry> entries;

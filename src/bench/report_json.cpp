@@ -108,6 +108,11 @@ Json json(const PresetReport& p) {
            {"analyse_seconds", p.analyse_seconds},
            {"entries", Json::array()}};
     for (const Entry& e : p.entries) j["entries"].push_back(json(e));
+    if (p.slider) {
+        j["slider"] = {{"before_seconds", p.slider->before_seconds},
+                       {"picture_seconds", p.slider->picture_seconds},
+                       {"coarse", p.slider->coarse}};
+    }
     return j;
 }
 
@@ -121,6 +126,11 @@ PresetReport preset(const Json& j) {
     p.parse_seconds = j.value("parse_seconds", 0.0);
     p.analyse_seconds = j.value("analyse_seconds", 0.0);
     for (const Json& e : j.at("entries")) p.entries.push_back(entry(e));
+    if (j.contains("slider")) {
+        const Json& s = j["slider"];
+        p.slider = {s.at("before_seconds").get<double>(), s.at("picture_seconds").get<double>(),
+                    s.at("coarse").get<bool>()};
+    }
     return p;
 }
 

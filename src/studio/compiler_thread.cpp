@@ -15,8 +15,6 @@
 namespace studio {
 namespace {
 
-/// About a frame: a slider moves the picture while it is being moved.
-constexpr double analysis_seconds = 0.015;
 /// A slider that has not moved for so long is at rest.
 constexpr std::chrono::milliseconds rest(100);
 
@@ -174,7 +172,7 @@ void CompilerThread::build(const scene::Document& document) {
         const std::lock_guard lock(mutex_);
         return stop_ || (request_ && request_->formula != document.formula);
     };
-    const analysis::Budget budget = analysis::Budget::of_seconds(analysis_seconds);
+    const analysis::Budget budget = analysis::Budget::of_seconds(analysis::frame_seconds);
     auto built = builder_.build(document, superseded, &budget);
     coarse_.reset();
     if (!built) return;

@@ -42,7 +42,8 @@ TEST(Report, ratios_are_by_rounds) {
 }
 
 TEST(ReportJson, comes_back_as_it_was) {
-    const Report report = hand_made();
+    Report report = hand_made();
+    report.presets[0].slider = SliderMove{0.004, 0.03, true};
     const std::string text = report_json(report);
     const auto read = read_report(text, "a.json");
     ASSERT_TRUE(read);
@@ -217,6 +218,15 @@ TEST(Targets, are_held_against_the_run) {
     EXPECT_EQ(reached(report, {}, "from text to picture, formulas"),
               "0 of 1; at most 160 ms (surfaces/ball), with such a cache");
     EXPECT_EQ(reached(report, {}, "from text to picture, fractals"), "");
+    EXPECT_EQ(reached(report, {}, "from a slider's move to drawing"), "");
+    report.presets[0].slider = SliderMove{0.004, 0.03, false};
+    EXPECT_EQ(reached(report, {}, "from a slider's move to drawing"),
+              "1 of 1; at most 4 ms (surfaces/ball); to the picture at most 30 ms "
+              "(surfaces/ball): yes");
+    report.presets[0].slider = SliderMove{0.02, 0.03, true};
+    EXPECT_EQ(reached(report, {}, "from a slider's move to drawing"),
+              "0 of 1; at most 20 ms (surfaces/ball); to the picture at most 30 ms "
+              "(surfaces/ball): no");
 }
 
 TEST(Targets, compare_fractals_with_the_shaders_by_hand) {
