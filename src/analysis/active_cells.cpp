@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "analysis/in_parallel.h"
+#include "analysis/operand_choice.h"
 #include "eval/batch.h"
 
 namespace analysis {
@@ -40,51 +41,6 @@ constexpr std::size_t all_operands = 1'000'000'000;
 
 glm::dvec3 corner(int i) { return {i & 1, (i >> 1) & 1, i >> 2}; }
 
-/// Those that can be the smallest somewhere within the reach of the point with these values, the
-/// least of which is told.
-OperandList nearest(const OperandList& list, std::span<const double> values, double reach,
-                    double& least) {
-    least = INFINITY;
-    for (const double value : values) least = value < least ? value : least;
-    OperandList kept;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        // Values that are undefined stay, whatever they are.
-        if (!(values[i] > least + 2 * reach)) kept.push_back(list[i]);
-    }
-    return kept;
-}
-
-/// The polynomial smooth minimum (field::smooth_union).
-double smooth_minimum(double a, double b, double width) {
-    const double overlap = std::max(width - std::abs(a - b), 0.0) / width;
-    return std::min(a, b) - overlap * overlap * width / 4;
-}
-
-/// An operand that is by n widths farther than another changes the smooth minimum by at most
-/// exp(-2 (n - 2)) / 4 widths: while that sinks by a width, what it owes to earlier operands
-/// becomes smaller by more than exp(-2). So that is less than 3e-8.
-constexpr double most_widths = 10;
-
-/// Those that a smooth minimum is made of, one after the other, within the reach of the point: what
-/// is farther than the width from the minimum so far changes nothing, and if it is so much smaller
-/// then all before it change nothing. The minimum so far is 1-Lipschitz as well; `least` is the
-/// last one, at the point.
-OperandList blended(const OperandList& list, std::span<const double> values, double reach,
-                    double width, double& least) {
-    OperandList kept;
-    double nearest = INFINITY;
-    for (const double value : values) nearest = value < nearest ? value : nearest;
-    const double far = nearest + 2 * reach + most_widths * width;
-    least = INFINITY;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        if (values[i] >= least + width + 2 * reach || values[i] > far) continue;
-        if (values[i] + width + 2 * reach <= least) kept.clear();
-        least = kept.empty() ? values[i] : smooth_minimum(least, values[i], width);
-        kept.push_back(list[i]);
-    }
-    return kept;
-}
-
 /// What is known of a cell: which operands of each minimum can matter in it, and the field at its
 /// middle.
 struct Known {
@@ -103,12 +59,12 @@ class Divider {
 public:
     Divider(const Composition& composition, const Region& region, double margin)
         : composition_(composition), region_(region), margin_(margin) {
-        std::size_t variables = 3;
-        for (const ManyOperands& minimum : composition.minima) {
-            values_.emplace_back(minimum.operands);
-            variables = std::max(variables, index(minimum.variable) + 1);
+        std::size_t columns = 4;
+        for (std::size_t k = 0; k < composition.minima.size(); ++k) {
+            values_.emplace_back(composition.minima[k].operands);
+            columns = std::max(columns, minimum_column(k) + 1);
         }
-        columns_.resize(variables);
+        columns_.resize(columns);
         if (!composition.outline) return;
         std::vector<double> parameters(composition.parameters.begin(),
                                        composition.parameters.end());
@@ -132,53 +88,69 @@ public:
 private:
     using Eighths = std::array<Known, parts>;
 
-    /// What is known of the eighths of a cell.
-    Eighths eighths(const Known& known, const glm::dvec3& low, double size) {
+    static std::array<glm::dvec3, parts> middles_of_eighths(const glm::dvec3& low, double size) {
         std::array<glm::dvec3, parts> middles;
         for (int i = 0; i < parts; ++i) {
             middles[static_cast<std::size_t>(i)] = low + 0.5 * size * (corner(i) + 0.5);
         }
+        return middles;
+    }
+
+    /// What is known of the eighths of a cell.
+    Eighths eighths(const Known& known, const glm::dvec3& low, double size) {
+        const auto middles = middles_of_eighths(low, size);
         const double reach = 0.25 * std::sqrt(3.0) * size + margin_;
         Eighths result;
-        std::array<std::vector<double>, parts> least;
-        for (std::size_t k = 0; k < known.lists.size(); ++k) {
-            const OperandList& list = known.lists[k];
-            const std::span<const double> values = values_[k].at(middles, list);
-            const std::optional<double> width = composition_.minima[k].width;
-            spent_ += values.size();
-            for (std::size_t i = 0; i < parts; ++i) {
-                const std::span row = values.subspan(i * list.size(), list.size());
-                double& here = least[i].emplace_back();
-                result[i].lists.push_back(width ? blended(list, row, reach, *width, here)
-                                                : nearest(list, row, reach, here));
-            }
-        }
-        tell_values(middles, least, result);
+        for (Known& each : result) each.lists.resize(known.lists.size());
+        look_from(middles, known, reach, [&](std::size_t i, std::size_t k, OperandSpan chosen) {
+            result[i].lists[k].assign(chosen.begin(), chosen.end());
+        });
+        const std::array values = fields(middles);
+        for (std::size_t i = 0; i < parts; ++i) result[i].value = values[i];
         return result;
     }
 
-    /// The field where the minima have these values.
-    void tell_values(std::span<const glm::dvec3> points,
-                     std::span<const std::vector<double>> minima, Eighths& result) {
+    /// Finds each minimum at some points, and tells which operands matter within the reach of the
+    /// i-th point in the k-th minimum.
+    template <class Tell>
+    void look_from(std::span<const glm::dvec3> points, const Known& known, double reach,
+                   Tell tell) {
+        for (std::size_t k = 0; k < known.lists.size(); ++k) {
+            const OperandList& list = known.lists[k];
+            const std::span<const double> values = values_[k].at(points, list);
+            const std::optional<double> width = composition_.minima[k].width;
+            spent_ += values.size();
+            auto& minima = columns_[minimum_column(k)];
+            minima.resize(points.size());
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const std::span row = values.subspan(i * list.size(), list.size());
+                const OperandChoice::Found found = width ? choice_.blended(list, row, reach, *width)
+                                                         : choice_.nearest(list, row, reach);
+                minima[i] = found.least;
+                tell(i, k, found.operands);
+            }
+        }
+    }
+    std::size_t minimum_column(std::size_t k) const {
+        return composition_.outline ? index(composition_.minima[k].variable) : 3;
+    }
+
+    /// The field where the minima have been found.
+    std::array<double, parts> fields(const std::array<glm::dvec3, parts>& points) {
+        std::array<double, parts> values{};
         if (!composition_.outline) {
-            for (std::size_t i = 0; i < parts; ++i) result[i].value = minima[i][0];
-            return;
+            std::ranges::copy(columns_[minimum_column(0)], values.begin());
+            return values;
         }
         for (int axis = 0; axis < 3; ++axis) {
             auto& column = columns_[static_cast<std::size_t>(axis)];
-            column.clear();
-            for (const glm::dvec3& point : points) column.push_back(point[axis]);
+            column.resize(parts);
+            for (std::size_t i = 0; i < parts; ++i) column[i] = points[i][axis];
         }
-        for (std::size_t k = 0; k < composition_.minima.size(); ++k) {
-            auto& column = columns_[index(composition_.minima[k].variable)];
-            column.clear();
-            for (const std::vector<double>& each : minima) column.push_back(each[k]);
-        }
-        const std::vector<std::span<const double>> variables(columns_.begin(), columns_.end());
-        std::array<double, parts> values{};
+        variables_.assign(columns_.begin(), columns_.end());
         const std::array roots{std::span<double>(values)};
-        eval::evaluate_points(*composition_.outline, registers_, variables, roots, scratch_);
-        for (std::size_t i = 0; i < parts; ++i) result[i].value = values[i];
+        eval::evaluate_points(*composition_.outline, registers_, variables_, roots, scratch_);
+        return values;
     }
 
     bool is_far(double value, double size) const {
@@ -186,22 +158,26 @@ private:
         const bool may_be = composition_.may_be_far && (value > 0 || composition_.inside_too);
         return may_be && std::abs(value) >= far_reaches * reach;
     }
-    /// The slope of the field between the middles of the eighths, if they are all far and nearly
-    /// as it tells.
-    static std::optional<glm::dvec3> slope(const Known& known, const Eighths& eighths,
-                                           double size) {
+    /// The slope of the field between the middles of a cell's eighths, with its value at the cell's
+    /// middle, if all their values are nearly as it tells.
+    static std::optional<glm::dvec3> slope_between(const std::array<double, parts>& values,
+                                                   double middle, double size) {
         glm::dvec3 gradient(0);
         for (int i = 0; i < parts; ++i) {
-            gradient += eighths[static_cast<std::size_t>(i)].value * (2.0 * corner(i) - 1.0);
+            gradient += values[static_cast<std::size_t>(i)] / (2 * size) * (2.0 * corner(i) - 1.0);
         }
-        gradient /= 2 * size;
         for (int i = 0; i < parts; ++i) {
-            const glm::dvec3 way = 0.25 * size * (2.0 * corner(i) - 1.0);
-            const double value = eighths[static_cast<std::size_t>(i)].value;
-            const double bend = std::abs(known.value + glm::dot(gradient, way) - value);
-            if (!(bend <= most_bend * std::abs(value))) return std::nullopt;
+            const double value = values[static_cast<std::size_t>(i)];
+            const double told = middle + 0.25 * size * glm::dot(gradient, 2.0 * corner(i) - 1.0);
+            if (!(std::abs(told - value) <= most_bend * std::abs(value))) return std::nullopt;
         }
         return gradient;
+    }
+    /// The same of a cell itself.
+    std::optional<glm::dvec3> slope_in(const Known& known, const glm::dvec3& low, double size) {
+        const auto points = middles_of_eighths(low, size);
+        look_from(points, known, 0, [](std::size_t, std::size_t, OperandSpan) {});
+        return slope_between(fields(points), known.value, size);
     }
 
     std::uint32_t list_of(const Known& known) {
@@ -252,29 +228,35 @@ private:
             return;
         }
         const Eighths cells = eighths(known, low, size);
+        std::array<double, parts> values;
+        for (std::size_t i = 0; i < parts; ++i) values[i] = cells[i].value;
+        const std::optional<glm::dvec3> slope = slope_between(values, known.value, size);
         for (int i = 0; i < parts; ++i) {
             const glm::dvec3 corner_of = low + 0.5 * size * corner(i);
             const ActiveCells::Cell cell = this->cell(cells[static_cast<std::size_t>(i)], corner_of,
-                                                      0.5 * size, known.count(), level);
+                                                      0.5 * size, known.count(), slope, level);
             found_.cells[place(i)] = cell;
         }
     }
     ActiveCells::Cell cell(const Known& known, const glm::dvec3& low, double size,
-                           std::size_t around, int level) {
+                           std::size_t around, const std::optional<glm::dvec3>& slope_around,
+                           int level) {
         if (!clip(region_, {low, low + size})) return {};
         const bool enough = is_enough(known, around, size, level + 1),
                    may_be_far = is_far(known.value, size);
         if (enough && !may_be_far) return listed(known);
-        const Eighths within = eighths(known, low, size);
         if (may_be_far) {
-            if (const auto gradient = slope(known, within, size)) {
+            // What may bend beyond the middles around it is asked by itself.
+            const bool very_far = is_far(known.value, 2 * size);
+            if (const auto gradient =
+                    very_far && slope_around ? slope_around : slope_in(known, low, size)) {
                 return {.kind = ActiveCells::Cell::Kind::far,
                         .value = known.value - std::copysign(margin_, known.value),
                         .gradient = *gradient};
             }
         }
         if (enough) return listed(known);
-        const std::uint32_t first = node(within, low, size, level + 1);
+        const std::uint32_t first = node(eighths(known, low, size), low, size, level + 1);
         return {.kind = ActiveCells::Cell::Kind::divided, .place = first};
     }
 
@@ -282,8 +264,10 @@ private:
     Region region_;
     double margin_;
     std::vector<OperandValues> values_;  ///< of the minima
+    OperandChoice choice_;
     std::vector<double> registers_, scratch_;
     std::vector<std::vector<double>> columns_;
+    std::vector<std::span<const double>> variables_;  ///< the columns
     ActiveCells found_;
     std::size_t spent_ = 0;
     int depth_ = deepest;

@@ -26,35 +26,50 @@ std::span<const double> OperandValues::at(std::span<const glm::dvec3> points,
     return result_;
 }
 
-void OperandValues::of_kind(std::size_t number, std::span<const glm::dvec3> points,
-                            const OperandList& list) {
-    const Operands::Kind& kind = operands_.kinds[number];
+void OperandValues::find_places(std::size_t number, const OperandList& list) {
     places_.clear();
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (operands_.kind[list[i]] == number) places_.push_back(i);
     }
-    if (places_.empty()) return;
-    const std::size_t row = places_.size(), size = row * points.size();
+}
+
+void OperandValues::of_kind(std::size_t number, std::span<const glm::dvec3> points,
+                            const OperandList& list) {
+    const Operands::Kind& kind = operands_.kinds[number];
+    const bool all = operands_.kinds.size() == 1;
+    if (!all) find_places(number, list);
+    const std::size_t row = all ? list.size() : places_.size(), size = row * points.size();
+    if (row == 0) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        columns_[axis].clear();
-        for (const glm::dvec3& point : points) {
-            columns_[axis].insert(columns_[axis].end(), row, point[static_cast<int>(axis)]);
+        columns_[axis].resize(size);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            std::fill_n(columns_[axis].data() + i * row, row, points[i][static_cast<int>(axis)]);
         }
     }
     for (std::size_t k = 0; k < kind.variables.size(); ++k) {
         std::vector<double>& column = columns_[index(kind.variables[k])];
         column.resize(size);
-        for (std::size_t i = 0; i < row; ++i) {
-            column[i] = kind.numbers[k][operands_.place[list[places_[i]]]];
+        const double* const numbers = kind.numbers[k].data();
+        if (all) {
+            for (std::size_t i = 0; i < row; ++i) column[i] = numbers[list[i]];
+        } else {
+            for (std::size_t i = 0; i < row; ++i) {
+                column[i] = numbers[operands_.place[list[places_[i]]]];
+            }
         }
-        for (std::size_t i = row; i < size; ++i) column[i] = column[i - row];
+        for (std::size_t i = row; i < size; i += row) {
+            std::copy_n(column.data(), row, column.data() + i);
+        }
     }
-    std::vector<std::span<const double>> variables(columns_.begin(), columns_.end());
-    found_.resize(size);
-    const std::array roots{std::span(found_)};
-    eval::evaluate_points(*kind.value, registers_[number], variables, roots, scratch_);
-    for (std::size_t i = 0; i < size; ++i) {
-        result_[i / row * list.size() + places_[i % row]] = found_[i];
+    variables_.assign(columns_.begin(), columns_.end());
+    if (!all) found_.resize(size);
+    const std::array roots{all ? std::span(result_) : std::span(found_)};
+    eval::evaluate_points(*kind.value, registers_[number], variables_, roots, scratch_);
+    if (all) return;
+    for (std::size_t point = 0; point < points.size(); ++point) {
+        const double* const from = found_.data() + point * row;
+        double* const to = result_.data() + point * list.size();
+        for (std::size_t i = 0; i < row; ++i) to[places_[i]] = from[i];
     }
 }
 

@@ -40,12 +40,14 @@ public:
     std::span<const double> at(std::span<const glm::dvec3> points, const OperandList& list);
 
 private:
+    void find_places(std::size_t number, const OperandList& list);
     void of_kind(std::size_t number, std::span<const glm::dvec3> points, const OperandList& list);
 
     const Operands& operands_;
-    std::vector<std::vector<double>> registers_;  ///< of the kinds
-    std::vector<std::vector<double>> columns_;    ///< by variable
-    std::vector<std::size_t> places_;             ///< in the list, of one kind
+    std::vector<std::vector<double>> registers_;      ///< of the kinds
+    std::vector<std::vector<double>> columns_;        ///< by variable
+    std::vector<std::span<const double>> variables_;  ///< the columns
+    std::vector<std::size_t> places_;                 ///< in the list, of one kind of several
     std::vector<double> found_, result_, scratch_;
 };
 
