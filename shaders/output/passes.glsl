@@ -20,7 +20,7 @@ void main() {
         hit = visible_surface(o, d, n);
     } else {
         vec4 kept = texelFetch(kept_geometry, ivec2(pixel), 0);
-        hit = Trace(int(kept.z), kept.x, int(kept.w), false, false, int(kept.y));
+        hit = Trace(int(kept.z), kept.x, int(kept.w), false, false, false, int(kept.y));
         vec4 told = texelFetch(kept_normal, ivec2(pixel), 0);
         n = told.xyz;
         recall_certificate(told.w);

@@ -15,7 +15,7 @@ real ball_rest(real free, real before, real way) {
 }
 
 Trace trace(real3 o, real3 d, real t0, real t1) {
-    Trace result = Trace(zs_unresolved, t0, -1, false, false, 0);
+    Trace result = Trace(zs_unresolved, t0, -1, false, false, false, 0);
     field_start(o, d, t0, t1);
     int limit = int(frame.march.x);
     real t = t0;

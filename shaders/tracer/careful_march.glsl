@@ -11,7 +11,7 @@
 const real zs_closest = 1.0 / 32.0, zs_patience = 1.02;
 
 Trace trace(real3 o, real3 d, real t0, real t1) {
-    Trace result = Trace(zs_unresolved, t0, -1, false, false, 0);
+    Trace result = Trace(zs_unresolved, t0, -1, false, false, false, 0);
     field_start(o, d, t0, t1);
     int limit = int(frame.march.x);
     real t = t0, before = t0, free = 0.0, near_free = 0.0;

@@ -56,7 +56,7 @@ Settled settle_part(real3 o, real3 d, real2 part, real t0, bool smallest) {
 }
 
 Trace trace(real3 o, real3 d, real t0, real t1) {
-    Trace result = Trace(zs_unresolved, t0, -1, false, false, 0);
+    Trace result = Trace(zs_unresolved, t0, -1, false, false, false, 0);
     field_start(o, d, t0, t1);
     int limit = int(frame.march.x);
     int level = 0, number = 0;

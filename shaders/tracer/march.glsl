@@ -10,6 +10,9 @@
 // 1 - 1 / n of the way.
 const int zs_most_near = 40;
 
+// To a root of order 1 they are no more.
+const int zs_most_simple = 8;
+
 Trace trace(real3 o, real3 d, real t0, real t1) {
     zs_aside = false;
     field_start(o, d, t0, t1);
@@ -19,7 +22,7 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
     real outer = t0, inner = zs_far;
     real t = t0;
     Answer a;
-    bool at_start, going;
+    bool at_start, touched, going;
     do {
         a = stride_answer(o, d, t);
         bool inside = a.free <= 0.0;
@@ -32,7 +35,8 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         real newton = a.value == 0.0 ? 0.0 : abs(a.value / a.rate);
         bool close = !inside && a.free < epsilon && newton < epsilon, falls = a.value * a.rate <= 0.0;
         bool near = close && falls && near_steps >= 0;
-        bool touched = false, passed = false;
+        touched = near && near_steps >= zs_most_near;
+        bool passed = false;
         real least_way = near ? newton : epsilon;
         least_way = min(least_way, zs_wall + least);
         if (near) {
@@ -70,11 +74,11 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         // Newton's steps within the bracket, and every fourth halves it.
         if (crossed && !(next > outer && next < inner && (steps & 3) != 0)) next = 0.5 * (outer + inner);
         bool found = at_start || inner - outer <= least || ((near || crossed) && newton <= least) ||
-                     touched || (near && near_steps > zs_most_near);
+                     touched;
         status = found ? zs_hit : (left ? zs_miss : zs_unresolved);
         going = status == zs_unresolved && steps < limit;
         if (going) t = next;
     } while (going);
     if (inner < zs_far) certify_sides();
-    return Trace(status, t, a.object, a.turned, at_start, steps);
+    return Trace(status, t, a.object, a.turned, at_start, !touched && near_steps <= zs_most_simple, steps);
 }

@@ -8,9 +8,9 @@ layout(binding = 0) uniform sampler2D told_depth;
 
 Trace trace(real3 o, real3 d, real t0, real t1) {
     real t = texelFetch(told_depth, ivec2(gl_FragCoord.xy), 0).r;
-    if (isinf(t)) return Trace(zs_miss, t1, -1, false, false, 0);
+    if (isinf(t)) return Trace(zs_miss, t1, -1, false, false, false, 0);
     field_start(o, d, t, t);
     Answer a = field(o, d, t);
     bool cap = t <= t0 + 4.0 * zs_relative_step * t0;
-    return Trace(zs_hit, t, max(a.object, 0), a.turned, cap, 1);
+    return Trace(zs_hit, t, max(a.object, 0), a.turned, cap, false, 1);
 }

@@ -25,7 +25,9 @@ void write_coefficients(FieldCode& code, std::size_t i) {
         size += fmt::format("{}abs({})", k > 0 ? " + " : "", w.spelling(along[k]));
         assignments += fmt::format("    a{}_{} = scale * {};\n", i, k, w.spelling(along[k]));
     }
-    assignments = fmt::format("    real scale = 1.0 / ({});\n", size) + assignments;
+    declarations += fmt::format(", scale_{} = 1.0", i);
+    assignments =
+        fmt::format("    real scale = 1.0 / ({});\n    scale_{} = scale;\n", size, i) + assignments;
     code.out.code += fmt::format("{};\nvoid coefficients_{}(real3 c, real3 e) {{\n{}{}}}\n",
                                  declarations, i, statements, assignments);
     code.finish(w);
@@ -46,30 +48,48 @@ std::string shifted(std::size_t i, std::size_t degree) {
     return text;
 }
 
+std::size_t binomial(std::size_t n, std::size_t k) {
+    std::size_t result = 1;
+    for (std::size_t i = 0; i < k; ++i) {
+        result = result * (n - i) / (i + 1);
+    }
+    return result;
+}
+
+/// By how much |f| falls at most through the power k, for each k > 1: what b_k may be off by, and
+/// its part that points at the root.
+std::string falls(std::size_t degree) {
+    std::string text;
+    for (std::size_t k = 2; k <= degree; ++k) {
+        const std::string least = k == 2 ? "" : "max(";
+        text += fmt::format("    real c{} = {}{}.0 * zs_polynomial_error - sign * b{}{};\n", k,
+                            least, binomial(degree, k), k, k == 2 ? "" : ", 0.0)");
+    }
+    return text;
+}
+
 /// The bend of a parabola that stays below |f| as far as r: of each term with the power k > 2 that
 /// makes |f| smaller, r^(k - 2) is at most that at the end.
 std::string bend(std::size_t degree, const std::string& r) {
-    if (degree < 3) return "k";
+    if (degree < 3) return "c2";
     std::string text = fmt::format("c{}", degree);
     for (std::size_t k = degree; k-- > 3;) text = fmt::format("(c{} + {} * {})", k, r, text);
-    return fmt::format("k + {} * {}", r, text);
+    return fmt::format("c2 + {} * {}", r, text);
 }
 
-/// How far from s no root is, in s: `way`.
+/// How far from s no root is, in s: `way`. The best of three parabolas that do not wait for each
+/// other.
 std::string certified_way(std::size_t degree) {
-    std::string text =
-        "    real v = abs(b0) - zs_polynomial_error;\n"
-        "    real sign = b0 < 0.0 ? -1.0 : 1.0, rest = 1.0 - s;\n"
-        "    real w = sign * b1;\n";
-    text += fmt::format("    real k = {};\n", degree < 2 ? "0.0" : "-sign * b2");
-    if (degree < 3) return text + "    real way = parabola_root(v, w, k);\n";
-    for (std::size_t k = 3; k <= degree; ++k) {
-        text += fmt::format("    real c{0} = max(-sign * b{0}, 0.0);\n", k);
-    }
-    text += "    real reach = min(2.0 * parabola_root(v, w, max(k, 0.0)), rest);\n";
-    text +=
-        fmt::format("    real way = min(parabola_root(v, w, {}), reach);\n", bend(degree, "reach"));
-    return text + "    if (way >= rest) way = zs_far;\n";
+    const auto as_far_as = [&](const std::string& r) {
+        return fmt::format("min(parabola_root(v, w, {}), {})", bend(degree, r), r);
+    };
+    return fmt::format(
+        "    real part = 0.3 * rest, near = min(2.0 * v / abs(w), part);\n"
+        "    real way = {};\n"
+        "    way = max(way, {});\n"
+        "    way = max(way, {});\n"
+        "    if (way >= rest) way = zs_far;\n",
+        as_far_as("near"), as_far_as("part"), as_far_as("rest"));
 }
 
 }  // namespace
@@ -81,14 +101,23 @@ void write_polynomial(FieldCode& code, std::size_t i) {
     // Not a number is not greater.
     code.out.code += fmt::format(
         "Answer leaf_{0}(real s, real3 p, real3 d) {{\n{1}"
-        "    bool rounded = !(abs(b0) > zs_polynomial_error);\n"
+        "    bool rounded = !(abs(b0) > 4.0 * zs_polynomial_error);\n"
+        "    real sign = b0 < 0.0 ? -1.0 : 1.0, rest = 1.0 - s;\n"
+        "    real v = abs(b0) - zs_polynomial_error, w = sign * b1;\n"
+        "    Answer a;\n"
+        "    if (rounded || zs_aside) a = aside_{0}(p, d);\n"
+        "    if (rounded) {{\n"
+        "        real side = a.value < 0.0 ? -1.0 : 1.0, scale = side * scale_{0};\n"
+        "        sign = a.turned ? -side : side;\n"
+        "        v = scale * a.value;\n"
+        "        w = scale * zs_half * a.rate;\n"
+        "    }}\n"
         "{2}"
-        "    if (rounded || zs_aside) {{\n"
-        "        Answer a = aside_{0}(p, d);\n"
-        "        if (rounded) return a;\n"
-        "        return answer_along(a, way);\n"
-        "    }}\n",
-        i, shifted(i, degree), certified_way(degree));
+        "    if (rounded) c2 = max(c2, 0.0);\n"
+        "{3}"
+        "    if (isnan(b0) || !(v > 0.0)) way = 0.0;\n"
+        "    if (rounded || zs_aside) return answer_along(a, way);\n",
+        i, shifted(i, degree), falls(degree), certified_way(degree));
     const std::string second = degree < 2 ? "0.0" : "b2";
     if (sheet) {
         code.out.code += fmt::format(
