@@ -15,6 +15,13 @@ struct FrameNumbers {
     real4 origin;             // of these coordinates, in the world; which part of the scene is looked at
 };
 
+// Two lights and a material.
+struct LightNumbers {
+    real4 direction_0, direction_1; // unit; of the first, w is the exponent of the highlight
+    real4 colour_0, colour_1;
+    real4 material; // rgb, strength of the highlight
+};
+
 // All of a frame; laid out as render::Frame.
 layout(std140, binding = 0) uniform Frame {
     FrameNumbers numbers;

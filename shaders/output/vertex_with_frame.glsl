@@ -8,4 +8,5 @@ void main() {
     cover_target();
     frame = frame_block.numbers;
     pass_field_values();
+    pass_lights();
 }

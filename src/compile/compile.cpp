@@ -93,6 +93,7 @@ shader::Features features(const Formula& formula, const scene::Document& documen
     features.bounds_box = document.bounds.shape == scene::Bounds::Shape::box;
     features.shadows = settings.shadows;
     features.grid = settings.grid;
+    features.few_lights = document.lights.size() <= 2 && document.materials.size() <= 1;
     features.show_steps = settings.show_steps;
     features.show_certificate = settings.show_certificate;
     features.bricks = formula.bricks;

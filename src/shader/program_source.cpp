@@ -160,6 +160,15 @@ void add_certificate(Assembly& assembly, const field::Field& field, const FieldG
     assembly.add_part("tracer/certificate.glsl");
 }
 
+/// Whether the frame's numbers come from the vertex shader: doubles are too many.
+bool has_inputs(const Features& features) { return features.precision != Precision::doubled; }
+
+/// Whether the lights and the material do.
+bool lights_are_inputs(const Features& features) {
+    return has_inputs(features) && features.few_lights &&
+           (features.outputs.picture || features.outputs.light);
+}
+
 void add_picture_parts(Assembly& assembly, const Features& features, bool own_colours) {
     if (features.show_certificate || features.show_steps || features.show_normals) {
         assembly.add_part(features.show_certificate ? "output/certificate.glsl"
@@ -169,22 +178,21 @@ void add_picture_parts(Assembly& assembly, const Features& features, bool own_co
     }
     assembly.add_part(features.shadows ? "light/soft_shadow.glsl" : "light/visibility_all.glsl");
     assembly.add_part(own_colours ? "material/of_point.glsl" : "material/of_object.glsl");
+    assembly.add_part(lights_are_inputs(features) ? "light/light_input.glsl"
+                                                  : "light/light_uniform.glsl");
     assembly.add_part("light/blinn_phong.glsl");
     assembly.add_part("light/background.glsl");
     assembly.add_part(features.grid ? "ground/grid.glsl" : "ground/none.glsl");
     assembly.add_part("output/shaded.glsl");
 }
 
-/// Whether the frame's numbers come from the vertex shader: doubles are too many.
-bool has_inputs(const Features& features) { return features.precision != Precision::doubled; }
-
 /// How many vectors hold the field's numbers.
 std::size_t vectors(const FieldGlsl& generated) { return (generated.values.size() + 3) / 4; }
 
 /// OpenGL promises room for 15 vectors between the stages only, but all hardware of its version 4
-/// has some 30; the frame takes 14.
+/// has some 30; the frame takes 14, the lights 5.
 bool values_are_inputs(const FieldGlsl& generated, const Features& features) {
-    constexpr std::size_t most_vectors = 16;
+    constexpr std::size_t most_vectors = 11;
     return has_inputs(features) && vectors(generated) <= most_vectors;
 }
 
@@ -206,6 +214,11 @@ std::string vertex_text(const FieldGlsl& generated, const Features& features) {
                         count));
     } else {
         assembly.add_code("void pass_field_values() {}\n");
+    }
+    if (lights_are_inputs(features)) {
+        assembly.add_part("light/pass_light.glsl");
+    } else {
+        assembly.add_code("void pass_lights() {}\n");
     }
     assembly.add_part("output/vertex_with_frame.glsl");
     return assembly.text();

@@ -67,6 +67,7 @@ struct Features {
     bool bounds_box = false;
     bool shadows = true;
     bool grid = false;
+    bool few_lights = false;  ///< at most two, and one material: faster
     bool show_steps = false;
     bool show_certificate = false;
     /// For measuring: colour the normal, or follow no ray but be told its depth (tracer/told.glsl).

@@ -20,8 +20,8 @@ TEST(ProgramSource, does_not_change_with_what_is_a_uniform) {
     const std::vector<std::function<void(scene::Document&)>> changes{
         [](auto& d) { d.parameters["a"] = 0.9; },       [](auto& d) { d.time = 3; },
         [](auto& d) { d.bounds.half = glm::dvec3(5); }, [](auto& d) { d.bounds.centre.x = 1; },
-        [](auto& d) { d.camera = scene::Camera{}; },    [](auto& d) { d.lights.resize(3); },
-        [](auto& d) { d.materials.resize(2); },         [](auto& d) { d.settings.steps = 9; },
+        [](auto& d) { d.camera = scene::Camera{}; },    [](auto& d) { d.lights.resize(2); },
+        [](auto& d) { d.materials.resize(1); },         [](auto& d) { d.settings.steps = 9; },
         [](auto& d) { d.settings.lipschitz = 2; },      [](auto& d) { d.settings.epsilon = 1; },
         [](auto& d) { d.settings.shadow = 3; },         [](auto& d) { d.settings.exposure = 2; },
     };
@@ -29,6 +29,20 @@ TEST(ProgramSource, does_not_change_with_what_is_a_uniform) {
         scene::Document after = before;
         changes[i](after);
         EXPECT_EQ(fragment(formula, after), fragment(formula, before)) << "change " << i;
+    }
+}
+
+TEST(ProgramSource, with_many_lights_or_materials_is_the_same_for_all_such_numbers) {
+    const Formula formula = understood("x^2 + y = z");
+    const scene::Document few;
+    scene::Document many = few;
+    many.lights.resize(3);
+    const std::string text = fragment(formula, many);
+    EXPECT_NE(text, fragment(formula, few));
+    for (const std::size_t lights : {0, 1, 8}) {
+        many.lights.resize(lights);
+        many.materials.resize(lights == 8 ? 1 : 2);
+        EXPECT_EQ(fragment(formula, many), text) << lights << " lights";
     }
 }
 
