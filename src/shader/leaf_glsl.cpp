@@ -147,8 +147,7 @@ bool write_jumps(FieldCode& code, std::size_t i) {
 }
 
 /// The answer by value and gradient at the point.
-void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf,
-                  std::string_view name) {
+void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf) {
     write_value_and_gradient(code, i, leaf);
     const auto hessian = code.hessians.find(code.plan.objects[i].id);
     const bool second_order = hessian != code.hessians.end();
@@ -165,7 +164,7 @@ void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf,
     if (grid) answer = "answer_in_brick(" + answer + ", brick)";
     if (write_jumps(code, i)) answer = fmt::format("answer_cell({}, jump_{}(p, d))", answer, i);
     code.out.code += fmt::format(
-        "Answer {5}_{0}(real3 p, real3 d) {{\n"
+        "Answer leaf_{0}(real3 p, real3 d) {{\n"
         "    real3 g;\n"
         "{2}"
         "    real f = value_{0}(p, g{3});\n"
@@ -173,7 +172,7 @@ void write_scalar(FieldCode& code, std::size_t i, const field::Formula& leaf,
         "    return {1};\n"
         "}}\n",
         i, answer, second_order ? "    real m;\n" : "", second_order ? ", m" : "",
-        grid ? fmt::format("    Brick brick = brick_at({}, p, d);\n", *grid) : "", name);
+        grid ? fmt::format("    Brick brick = brick_at({}, p, d);\n", *grid) : "");
     code.needs(sheet ? "leaf/sheet.glsl" : "leaf/formula.glsl");
 }
 
@@ -187,11 +186,11 @@ void write_leaves(FieldCode& code) {
         } else if (code.is_distance(i)) {
             write_distance(code, i, *code.formula(i));
         } else if (code.along.contains(i)) {
-            write_scalar(code, i, *code.formula(i), "aside");
+            write_value_and_gradient(code, i, *code.formula(i));
             write_polynomial(code, i);
             code.out.polynomials.insert(i);
         } else {
-            write_scalar(code, i, *code.formula(i), "leaf");
+            write_scalar(code, i, *code.formula(i));
         }
     }
 }

@@ -98,37 +98,36 @@ void write_polynomial(FieldCode& code, std::size_t i) {
     const std::size_t degree = code.along.at(i).size() - 1;
     write_coefficients(code, i);
     const bool sheet = code.is_sheet(i);
+    if (sheet) code.out.code += fmt::format("real side_{0} = 0.0, now_{0} = 0.0;\n", i);
     // Not a number is not greater.
     code.out.code += fmt::format(
         "Answer leaf_{0}(real s, real3 p, real3 d) {{\n{1}"
-        "    bool rounded = !(abs(b0) > 4.0 * zs_polynomial_error);\n"
+        "    bool rounded = !(abs(b0) > 4.0 * zs_polynomial_error), asks = rounded || zs_aside;\n"
         "    real sign = b0 < 0.0 ? -1.0 : 1.0, rest = 1.0 - s;\n"
         "    real v = abs(b0) - zs_polynomial_error, w = sign * b1;\n"
-        "    Answer a;\n"
-        "    if (rounded || zs_aside) a = aside_{0}(p, d);\n"
+        "    real f = b0, rate = 0.0;\n"
+        "    real3 g = real3(0.0);\n"
+        "    if (asks) {{\n"
+        "        f = value_{0}(p, g);\n"
+        "        rate = dot(g, d);\n"
+        "    }}\n"
         "    if (rounded) {{\n"
-        "        real side = a.value < 0.0 ? -1.0 : 1.0, scale = side * scale_{0};\n"
-        "        sign = a.turned ? -side : side;\n"
-        "        v = scale * a.value;\n"
-        "        w = scale * zs_half * a.rate;\n"
+        "        sign = f < 0.0 ? -1.0 : 1.0;\n"
+        "        v = scale_{0} * abs(f);\n"
+        "        w = sign * scale_{0} * zs_half * rate;\n"
         "    }}\n"
         "{2}"
         "    if (rounded) c2 = max(c2, 0.0);\n"
         "{3}"
-        "    if (isnan(b0) || !(v > 0.0)) way = 0.0;\n"
-        "    if (rounded || zs_aside) return answer_along(a, way);\n",
-        i, shifted(i, degree), falls(degree), certified_way(degree));
-    const std::string second = degree < 2 ? "0.0" : "b2";
-    if (sheet) {
-        code.out.code += fmt::format(
-            "    real turn = sheet_turn(b0, side_{0}, now_{0});\n"
-            "    return answer_sheet(polynomial_answer(turn * b0, turn * b1, {1}, way, {0}), "
-            "turn);\n}}\n",
-            i, second);
-    } else {
-        code.out.code +=
-            fmt::format("    return polynomial_answer(b0, b1, {}, way, {});\n}}\n", second, i);
-    }
+        "    way = free_way(way, v, b0);\n"
+        "    real turn = {4};\n"
+        "    Answer a = asks ? aside_answer(turn * f, g, turn * rate, way, {0})\n"
+        "                    : polynomial_answer(turn * f, turn * b1, b2, way, {0});\n"
+        "    return {5};\n}}\n",
+        i, shifted(i, degree), falls(degree), certified_way(degree),
+        sheet ? fmt::format("sheet_turn(f, side_{0}, now_{0})", i) : "1.0",
+        sheet ? "answer_sheet(a, turn)" : "a");
+    if (sheet) code.needs("leaf/sheet.glsl");
     code.needs("leaf/polynomial.glsl");
 }
 
