@@ -1,10 +1,10 @@
-// The unit normal of the surface that a ray hits at p, on the side where it came from. If the root may be of
-// a higher order, it is taken a little before the surface, where the gradient does not vanish yet; where
-// it vanishes or is undefined, a little before or behind, then farther off.
+// The unit normal of the surface that a ray hits at p, on the side where it came from. Where f
+// only touches 0, or may, it is taken a little before the surface, where the gradient does not vanish
+// yet; where it vanishes or is undefined, a little before or behind, then farther off.
 real3 surface_normal(Trace hit, real3 p, real3 d) {
     real footprint = pixel_footprint(hit.t);
     real least = min(0.01 * footprint, 30.0 * zs_relative_step * distance(frame.eye.xyz, p));
-    real offset = hit.simple ? 0.0 : -least;
+    real offset = hit.exact ? 0.0 : -least;
     for (int i = 0; i < min(6, int(frame.march.x) + 3); ++i) {
         real3 g = object_gradient(hit.object, p + offset * d, footprint);
         real most = max(abs(g.x), max(abs(g.y), abs(g.z)));

@@ -10,9 +10,6 @@
 // 1 - 1 / n of the way.
 const int zs_most_near = 40;
 
-// To a root of order 1 they are no more.
-const int zs_most_simple = 8;
-
 Trace trace(real3 o, real3 d, real t0, real t1) {
     zs_aside = false;
     field_start(o, d, t0, t1);
@@ -80,5 +77,5 @@ Trace trace(real3 o, real3 d, real t0, real t1) {
         if (going) t = next;
     } while (going);
     if (inner < zs_far) certify_sides();
-    return Trace(status, t, a.object, a.turned, at_start, !touched && near_steps <= zs_most_simple, steps);
+    return Trace(status, t, a.object, a.turned, at_start, !touched, steps);
 }

@@ -7,6 +7,6 @@ struct Trace {
     int object;   // of a hit
     bool turned;  // whether the object's f grows towards the inside there
     bool cap;     // the hit is where a solid is cut by the bounds, or the eye is inside
-    bool simple;  // the root is known to be of order 1: the gradient does not vanish
+    bool exact;   // f was followed to the root itself, not only to where |f| is least
     int steps;
 };

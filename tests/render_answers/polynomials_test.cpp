@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "render_answers/agreement.h"
@@ -74,6 +75,25 @@ TEST_P(PolynomialAnswer, is_found) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, PolynomialAnswer, testing::ValuesIn(answers()),
                          [](const auto& info) { return info.param.name; });
+
+/// A plane, but its formula has a triple root along a line, and no gradient there.
+TEST(PolynomialNormal, is_right_beside_a_triple_root) {
+    const glm::dvec3 expected = glm::normalize(glm::dvec3(0, 1, -0.5));
+    for (const double beside : {1e-4, 2e-4, 5e-4, 2e-3}) {
+        const render::Still still =
+            render({.formula = "y^3 = z^3/8",
+                    .bounds = two,
+                    .camera = camera({0.3, 3.2, beside}, {0, 0, beside}, 45, {0, 0, 1}),
+                    .width = 61,
+                    .height = 45});
+        for (int i = 0; i < 61; ++i) {
+            if (status(still, i, 22) != shader::Status::hit) continue;
+            EXPECT_LT(glm::distance(normal(still, i, 22), expected), 0.03)
+                << beside << " beside the line, pixel " << i;
+        }
+        EXPECT_EQ(status(still, 30, 22), shader::Status::hit);
+    }
+}
 
 }  // namespace
 }  // namespace render_answers
