@@ -5,8 +5,8 @@
 #include <ostream>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "render_answers/agreement.h"
 #include "render_answers/ray.h"
