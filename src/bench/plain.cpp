@@ -161,6 +161,7 @@ void add_end(shader::Assembly& assembly, const shader::Outputs& outputs) {
     if (outputs.picture) {
         assembly.add_code("const int zs_objects = 1;\n");
         assembly.add_part("material/of_object.glsl");
+        assembly.add_part("light/light_uniform.glsl");
         assembly.add_part("light/blinn_phong.glsl");
         assembly.add_part("light/background.glsl");
         assembly.add_part("output/display.glsl");
