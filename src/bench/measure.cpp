@@ -2,9 +2,9 @@
 #include "bench/measure.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
+#include "bench/first_picture.h"
 #include "bench/interleave.h"
 #include "bench/judge.h"
 #include "bench/kept_program.h"
@@ -34,8 +34,7 @@ struct Timed {
     double typical_seconds = 0;  ///< of a frame before the rounds
 };
 
-/// What takes longer is drawn in the first rounds only.
-constexpr double slow_seconds = 1;
+/// What is slow is drawn in the first rounds only.
 constexpr int slow_rounds = 3;
 
 /// The work on one scene as it grows: what is to be drawn, and the report.
@@ -76,6 +75,7 @@ private:
     base::Status add_entries(const std::string& tracer, const std::vector<Move>& moves,
                              const shader::ProgramSource& picture,
                              const shader::ProgramSource& counting);
+    base::Status add_first_picture(const shader::ProgramSource& source, Entry& entry);
     base::Status count(const shader::ProgramSource& source, std::size_t first_entry);
     void count_pixels(Entry& entry);
     base::Status judge_entry(Entry& entry);
@@ -140,25 +140,10 @@ base::Result<std::size_t> Measurement::add_program(const shader::ProgramSource& 
     return programs_.size() - 1;
 }
 
-/// What comes before linking.
 void Measurement::time_compiling() {
-    using Clock = std::chrono::steady_clock;
-    const auto since = [](Clock::time_point start) {
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    };
-    const Clock::time_point start = Clock::now();
-    const auto formula = compile::compile_formula(subject_.document.formula);
-    report.parse_seconds = since(start);
-    const scene::Document own = document("auto", {});
-    std::vector<double> seconds;
-    // A slow one shows itself at once.
-    for (int i = 0; i < 5 && (seconds.empty() || seconds[0] < slow_seconds); ++i) {
-        const Clock::time_point begin = Clock::now();
-        const auto source = compile::program_source(subject_.formula, own, picture_only);
-        compile::field_numbers(subject_.formula, source, own);
-        seconds.push_back(since(begin));
-    }
-    report.analyse_seconds = quantile(seconds, 0.5);
+    const BeforeLinking before = before_linking(subject_, picture_only);
+    report.parse_seconds = before.parse_seconds;
+    report.analyse_seconds = before.analyse_seconds;
 }
 
 base::Status Measurement::add_yardstick() {
@@ -202,21 +187,35 @@ base::Status Measurement::add_entries(const std::string& tracer, const std::vect
         if (number == first) {
             report.entries.back().first_frame_seconds =
                 add_timed(Part::whole, number, *program, moved);
-        } else {
-            // About as slow as without the move: not worth a draw before the rounds.
-            const double typical_seconds = timed_.back().typical_seconds;
-            timed_.push_back(
-                {Part::whole, number, *program, frame(moved, picture_), typical_seconds});
+            continue;
         }
+        // About as slow as without the move: not worth a draw before the rounds.
+        const double typical_seconds = timed_.back().typical_seconds;
+        timed_.push_back({Part::whole, number, *program, frame(moved, picture_), typical_seconds});
     }
     return count(counting, first);
 }
 
+/// What is asked of single seconds is measured more than once.
+base::Status Measurement::add_first_picture(const shader::ProgramSource& source, Entry& entry) {
+    const auto picture = first_picture(
+        context_, picture_, source,
+        compile::field_numbers(subject_.formula, source, subject_.document),
+        frame(subject_.document, picture_), entry.first_frame_seconds < slow_seconds ? 5 : 1);
+    if (!picture) return picture.problems();
+    entry.link_seconds = picture->link_seconds;
+    entry.first_frame_seconds = picture->first_frame_seconds;
+    return base::Done{};
+}
+
 base::Status Measurement::add_tracer(const std::string& tracer) {
     const scene::Document own = document(tracer, {});
-    return add_entries(tracer, moves(options_.sweeps, subject_.document.settings),
-                       compile::program_source(subject_.formula, own, picture_only),
-                       compile::program_source(subject_.formula, own, counted));
+    const auto source = compile::program_source(subject_.formula, own, picture_only);
+    const std::size_t first = report.entries.size();
+    auto added = add_entries(tracer, moves(options_.sweeps, subject_.document.settings), source,
+                             compile::program_source(subject_.formula, own, counted));
+    if (!added || tracer != "auto") return added;
+    return add_first_picture(source, report.entries[first]);
 }
 
 base::Status Measurement::add_plain(const std::string& name) {
