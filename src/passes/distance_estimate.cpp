@@ -7,7 +7,8 @@
 #include <unordered_map>
 
 #include "graph/build.h"
-#include "passes/differentiate.h"
+#include "passes/depends_on.h"
+#include "passes/dual_numbers.h"
 #include "passes/spell_out_lengths.h"
 
 namespace passes {
@@ -18,8 +19,6 @@ using graph::Expr;
 using graph::Graph;
 using graph::NodeId;
 using graph::VariableId;
-
-constexpr std::array point{graph::variable_x, graph::variable_y, graph::variable_z};
 
 /// Adds a variable to the state; its step, which may need it, is to be added after it.
 VariableId add_state(Graph& graph, Iteration& iteration, std::string name, NodeId start) {
@@ -37,45 +36,6 @@ Expr backwards_from(Graph& graph, Iteration& iteration, std::string name, Expr e
     const Expr value(graph, graph.variable(id));
     iteration.step.push_back((factor * value).id);
     return value;
-}
-
-/// True if the expression needs one of these variables.
-bool depends_on(const Graph& graph, NodeId root, std::span<const VariableId> variables) {
-    return std::ranges::any_of(reachable(graph, std::array{root}), [&](NodeId id) {
-        const graph::Node& node = graph[id];
-        return node.op == graph::Op::variable &&
-               std::ranges::find(variables, static_cast<VariableId>(node.symbol)) !=
-                   variables.end();
-    });
-}
-
-/// The state that changes with a coordinate of the point, of the orbit and of what its step needs:
-/// all other derivatives by it stay 0.
-std::vector<std::size_t> changing_state(Graph& graph, const Iteration& iteration,
-                                        std::size_t orbit_size, VariableId coordinate) {
-    Iteration endless = iteration;
-    endless.escape.reset();
-    std::vector<NodeId> orbit;
-    for (std::size_t i = 0; i < orbit_size; ++i) orbit.push_back(graph.variable(endless.state[i]));
-    const std::vector<bool> needed = needed_state(graph, endless, orbit);
-    std::vector<VariableId> changing{coordinate};
-    std::vector<std::size_t> rows;
-    // Until no further row is found to change with those that do.
-    for (bool more = true; more;) {
-        more = false;
-        for (std::size_t i = 0; i < needed.size(); ++i) {
-            if (!needed[i] || std::ranges::find(rows, i) != rows.end()) continue;
-            if (!depends_on(graph, endless.start[i], changing) &&
-                !depends_on(graph, endless.step[i], changing)) {
-                continue;
-            }
-            rows.push_back(i);
-            changing.push_back(endless.state[i]);
-            more = true;
-        }
-    }
-    std::ranges::sort(rows);
-    return rows;
 }
 
 /// What a number is multiplied by at each turn: the square, and how many roots that saves.
@@ -190,28 +150,17 @@ NodeId add_growth(Graph& graph, Iteration& iteration, const RunningDerivative& d
 }
 
 NodeId add_jacobian_norm(Graph& graph, Iteration& iteration, std::size_t orbit_size) {
-    const Iteration value = iteration;
+    std::vector<NodeId> orbit;
+    for (std::size_t i = 0; i < orbit_size; ++i) {
+        orbit.push_back(graph.variable(iteration.state[i]));
+    }
+    const std::vector<std::array<NodeId, 3>> rows = add_derivatives(graph, iteration, orbit);
     std::optional<Expr> squares;
-    for (const VariableId coordinate : point) {
-        const std::vector<std::size_t> rows = changing_state(graph, value, orbit_size, coordinate);
-        std::vector<NodeId> starts, steps;
-        for (const std::size_t row : rows) {
-            starts.push_back(value.start[row]);
-            steps.push_back(value.step[row]);
-        }
-        std::vector<Seed> seeds{{coordinate, graph.constant(1)}};
-        const std::vector<NodeId> start = differentiate(graph, starts, seeds);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const VariableId row = value.state[rows[i]];
-            const VariableId slope = add_state(
-                graph, iteration, "d" + graph.name(row) + "/d" + graph.name(coordinate), start[i]);
-            seeds.push_back({row, graph.variable(slope)});
-            if (rows[i] >= orbit_size) continue;
-            const Expr entry(graph, graph.variable(slope));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const auto& row : rows) {
+            if (graph.is_constant(row[axis], 0)) continue;
+            const Expr entry(graph, row[axis]);
             squares = squares ? *squares + entry * entry : entry * entry;
-        }
-        for (const NodeId step : differentiate(graph, steps, seeds)) {
-            iteration.step.push_back(step);
         }
     }
     return squares ? sqrt(*squares).id : graph.constant(0);

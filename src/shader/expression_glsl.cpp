@@ -47,7 +47,10 @@ std::string ExpressionWriter::spelling(NodeId id) {
 
 std::string ExpressionWriter::function(const graph::Node& node) {
     const graph::OperatorFacts& facts = graph::facts(node.op);
-    const bool never_nan = may_be_nan_ && std::ranges::none_of(node.args(), [&](NodeId a) {
+    // Of a choice only what is compared matters: what is chosen is handed on as it is.
+    const std::span<const NodeId> asked =
+        node.op == Op::select_less ? node.args().first(2) : node.args();
+    const bool never_nan = may_be_nan_ && std::ranges::none_of(asked, [&](NodeId a) {
                                return (*may_be_nan_)[index(a)];
                            });
     const auto part = [&](std::string_view file) {
@@ -58,6 +61,11 @@ std::string ExpressionWriter::function(const graph::Node& node) {
         part("lesser");
         return node.op == Op::min ? "zs_lesser" : "zs_greater";
     }
+    if (never_nan && node.op == Op::select_less) {
+        part("choose");
+        return "zs_choose";
+    }
+    if (never_nan && node.op == Op::sign) return "sign";
     part(facts.glsl_file);
     return std::string(facts.glsl);
 }

@@ -65,6 +65,7 @@ struct FieldCode {
     std::map<std::size_t, std::map<graph::VariableId, std::size_t>> minima;
     std::map<field::FieldId, std::map<graph::VariableId, graph::NodeId>> minima_weights;
     std::map<field::FieldId, Gradient> gradients;                     ///< of formulas
+    std::map<field::FieldId, Gradient> orbit_gradients;  ///< of iterations, of the last state
     std::map<field::FieldId, Hessian> hessians;                       ///< of those that ask for one
     std::map<field::FieldId, std::array<Gradient, 3>> turns;          ///< of the points of cells
     std::map<field::FieldId, std::vector<Gradient>> wall_rates;       ///< of the walls of cells
@@ -110,6 +111,7 @@ struct FieldCode {
     void needs(const char* part) { out.leaf_parts.insert(part); }
 
 private:
+    void differentiate_orbits();
     void spell_out_orbits();
     void code_family(Family of, const std::vector<field::FieldId>& cells, std::size_t first_object,
                      bool tells_objects);

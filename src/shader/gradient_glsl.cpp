@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The gradients of objects: exact for formulas, by differences for iterations and blends.
+// The gradients of objects: exact for formulas and for iterations that carry them, by differences
+// for other iterations and blends.
 #include <fmt/format.h>
 
 #include "shader/field_code.h"
@@ -47,6 +48,9 @@ void write_gradients(FieldCode& code) {
         if (code.formula(i)) {
             gradients +=
                 exact_gradient(code, is_this, object.cells, fmt::format("value_{}({{}}, g);", i));
+        } else if (code.orbit_gradients.contains(object.id)) {
+            gradients += exact_gradient(code, is_this, object.cells,
+                                        fmt::format("g = gradient_{}({{}});", i));
         } else {
             distances += value_inside(
                 code, is_this, object.cells,

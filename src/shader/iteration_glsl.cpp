@@ -205,6 +205,16 @@ std::string iteration_body(const graph::Graph& graph, const field::Iteration& it
     return text + fmt::format("    return {};\n", writer.spelling(iteration.distance));
 }
 
+std::string iteration_gradient(const graph::Graph& graph, const field::Iteration& iteration,
+                               std::span<const NodeId> gradient, ExpressionWriter& writer,
+                               FieldValues& values) {
+    std::string text = "    bool inside;\n";
+    text += Loop(graph, iteration, writer, values).write(gradient);
+    text += writer.statements(gradient, "    ");
+    return text + fmt::format("    return real3({}, {}, {});\n", writer.spelling(gradient[0]),
+                              writer.spelling(gradient[1]), writer.spelling(gradient[2]));
+}
+
 std::string iteration_colour(const graph::Graph& graph, const field::Iteration& iteration,
                              ExpressionWriter& writer, FieldValues& values) {
     std::string text = "    bool inside;\n";

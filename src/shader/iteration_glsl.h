@@ -2,6 +2,7 @@
 // The GLSL of an escape-time leaf: a loop around its expressions.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "field/field.h"
@@ -16,6 +17,12 @@ namespace shader {
 /// exit.
 std::string iteration_body(const graph::Graph& graph, const field::Iteration& iteration,
                            ExpressionWriter& writer, FieldValues& values);
+
+/// The body of `real3 gradient(real3 p)`: that of the distance, of state and point, at the final
+/// state.
+std::string iteration_gradient(const graph::Graph& graph, const field::Iteration& iteration,
+                               std::span<const graph::NodeId> gradient, ExpressionWriter& writer,
+                               FieldValues& values);
 
 /// The statements that compute the colour of an iteration that has one at a point `p`; carries only
 /// the state that the colour needs.

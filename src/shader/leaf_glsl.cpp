@@ -36,6 +36,13 @@ void write_iteration(FieldCode& code, std::size_t i, const field::Iteration& ite
         i, iteration.escape ? "4.0" : "1.0", answer);
     code.finish(w);
     code.needs("leaf/iteration.glsl");
+    const auto gradient = code.orbit_gradients.find(code.plan.objects[i].id);
+    if (gradient == code.orbit_gradients.end()) return;
+    ExpressionWriter slopes = code.writer();
+    code.out.code += fmt::format(
+        "real3 gradient_{}(real3 p) {{\n{}}}\n", i,
+        iteration_gradient(code.field.graph, iteration, gradient->second, slopes, code.values));
+    code.finish(slopes);
 }
 
 /// What a value's minima add to its gradient.
