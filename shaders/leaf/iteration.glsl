@@ -4,13 +4,13 @@
 // escaped is inside, and nothing is known about how deep: the step out is heuristic, `distance` continues
 // the estimate near the wall.
 Answer iteration_answer(real estimate, bool inside, real reach, int object) {
-    if (isnan(estimate)) estimate = 0.0;
     if (!inside) {
-        real s = reach > 1.0 ? max(estimate, 0.0) : estimate;
+        // What is undefined is 0, and no estimate of a set that orbits escape from is below it.
+        real s = estimate > 0.0 || (reach <= 1.0 && estimate < 0.0) ? estimate : 0.0;
         return Answer(s * frame.up.w, reach * s, s, 0.0, false, false, object);
     }
     zs_guess = true;
-    real depth = min(estimate, -1e-30);
+    real depth = estimate < -1e-30 ? estimate : -1e-30;
     return Answer(-0.125 * blind_step(), reach * depth, depth, 0.0, false, false, object);
 }
 

@@ -64,10 +64,10 @@ struct FieldCode {
     /// numbers of their families.
     std::map<std::size_t, std::map<graph::VariableId, std::size_t>> minima;
     std::map<field::FieldId, std::map<graph::VariableId, graph::NodeId>> minima_weights;
-    std::map<field::FieldId, Gradient> gradients;                     ///< of formulas
-    std::map<field::FieldId, Gradient> orbit_gradients;  ///< of iterations, of the last state
-    std::map<field::FieldId, Hessian> hessians;                       ///< of those that ask for one
-    std::map<field::FieldId, std::array<Gradient, 3>> turns;          ///< of the points of cells
+    std::map<field::FieldId, Gradient> gradients;             ///< of formulas
+    std::map<field::FieldId, Gradient> orbit_gradients;       ///< of iterations, of the last state
+    std::map<field::FieldId, Hessian> hessians;               ///< of those that ask for one
+    std::map<field::FieldId, std::array<Gradient, 3>> turns;  ///< of the points of cells
     std::map<field::FieldId, std::vector<Gradient>> wall_rates;       ///< of the walls of cells
     std::map<field::FieldId, std::vector<graph::NodeId>> weights;     ///< of a blend's operands
     std::map<field::FieldId, Gradient> displacements;                 ///< of blends that have one

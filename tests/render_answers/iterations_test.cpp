@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Iterations whose set after so many turns is known.
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
 
 #include "render_answers/shot.h"
 
@@ -42,6 +44,25 @@ TEST(Iterations, of_many_operations_end_after_the_turns_that_were_asked_for) {
         ASSERT_EQ(status(still, 4, 4), shader::Status::hit) << turns << " turns";
         EXPECT_NEAR(depth(still, 4, 4), 6 - radius, 2e-3) << turns << " turns";
     }
+}
+
+// Each wall of the sponge lies across an axis; a normal by differences is bent within a pixel of
+// each of its many edges.
+TEST(Iterations, that_carry_their_gradient_have_the_normals_of_their_walls) {
+    const render::Still still =
+        render({"menger(3)", box_bounds({1.01, 1.01, 1.01}), camera({2.6, 2.1, 3.9}), {}, 80, 60});
+    int hits = 0, bent = 0;
+    for (int j = 0; j < 60; ++j) {
+        for (int i = 0; i < 80; ++i) {
+            if (status(still, i, j) != shader::Status::hit) continue;
+            const glm::dvec3 n = abs(normal(still, i, j));
+            ++hits;
+            bent += std::max({n.x, n.y, n.z}) < 0.999999;
+        }
+    }
+    EXPECT_GT(hits, 1000);
+    // On the outer edges, from where the cube's distance is to an edge.
+    EXPECT_LE(bent, hits / 100);
 }
 
 }  // namespace

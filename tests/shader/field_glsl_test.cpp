@@ -67,13 +67,32 @@ TEST(FieldGlsl, counts_evaluations_only_if_asked_to) {
     EXPECT_FALSE(has(field_glsl(f, false).code, "zs_evaluations"));
 }
 
-TEST(FieldGlsl, takes_gradients_of_iterations_by_differences) {
-    const FieldGlsl sponge = field_glsl(field_of("menger(2)"), false);
-    EXPECT_TRUE(sponge.needs_differences);
-    EXPECT_TRUE(has(sponge.code, "object_differences(object, p, h)"));
+TEST(FieldGlsl, takes_gradients_of_escaping_orbits_by_differences) {
+    const FieldGlsl bulb = field_glsl(field_of("mandelbulb(8)"), false);
+    EXPECT_TRUE(bulb.needs_differences);
+    EXPECT_TRUE(has(bulb.code, "object_differences(object, p, h)"));
+    EXPECT_FALSE(has(bulb.code, "gradient_0("));
     const FieldGlsl sphere = field_glsl(field_of("sphere(1)"), false);
     EXPECT_FALSE(sphere.needs_differences);
     EXPECT_FALSE(has(sphere.code, "object_differences"));
+}
+
+TEST(FieldGlsl, carries_gradients_where_that_takes_less_than_four_values) {
+    for (const char* text : {"menger(2)", "sierpinski(3)", "translate(menger(2), (1, 0, 0))"}) {
+        const FieldGlsl exact = field_glsl(field_of(text), false);
+        EXPECT_FALSE(exact.needs_differences) << text;
+        EXPECT_TRUE(has(exact.code, "g = gradient_0(")) << text;
+    }
+    // The march carries none of it.
+    const std::string code = field_glsl(field_of("menger(2)"), false).code;
+    EXPECT_FALSE(has(code.substr(0, code.find("gradient_0")), "next5"));
+    // Of the components of a matrix product each depends on all.
+    const FieldGlsl mixed = field_glsl(
+        field_of("iterate p = (x, y, z) for 3:\n"
+                 "    p = (p.x*p.y*p.z, (p.x + p.y)*p.z + p.x*p.y, p.x*(p.y - p.z) + p.z)\n"
+                 "    distance = length(p) - 1"),
+        false);
+    EXPECT_TRUE(mixed.needs_differences);
 }
 
 TEST(FieldGlsl, takes_the_number_of_iterations_from_a_uniform) {
@@ -84,7 +103,8 @@ TEST(FieldGlsl, takes_the_number_of_iterations_from_a_uniform) {
 
 TEST(FieldGlsl, computes_once_what_does_not_change_from_step_to_step) {
     // The sponge's steps need the point's coordinates, but nothing else of the point.
-    const std::string code = field_glsl(field_of("translate(menger(2), (1, 0, 0))"), false).code;
+    std::string code = field_glsl(field_of("translate(menger(2), (1, 0, 0))"), false).code;
+    code.resize(code.find("gradient_0"));
     const std::size_t loop = code.find("while (");
     ASSERT_NE(loop, std::string::npos);
     EXPECT_LT(code.find("p.x - 1.0"), loop);

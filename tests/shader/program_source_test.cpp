@@ -83,14 +83,14 @@ TEST(ProgramSource, goes_by_balls_only_where_all_answers_are) {
     for (const char* text : {"mandelbulb()", "menger(3) & sphere(1)", "sphere(1) \\ julia()"}) {
         const ProgramSource source = program_source(field_of(text), {});
         EXPECT_TRUE(has(source.prepass, "zs_guess || r <= spread * t")) << text;
-        EXPECT_TRUE(has(source.fragment, "ball_rest(")) << text;
+        EXPECT_TRUE(has(source.fragment, "ball_reach(")) << text;
         EXPECT_FALSE(has(source.fragment, "Settled")) << text;
     }
     for (const char* text : {"sphere(1)", "mandelbulb() | x*y <= 1", "repeat(menger(2), (3, 3, 3))",
                              "smooth_union(menger(2), sphere(1), 0.1)", "twist(menger(2), z)"}) {
         const ProgramSource source = program_source(field_of(text), {});
         EXPECT_EQ(source.prepass, "") << text;
-        EXPECT_FALSE(has(source.fragment, "ball_rest(")) << text;
+        EXPECT_FALSE(has(source.fragment, "ball_reach(")) << text;
     }
     for (const char* tracer : {"march", "relaxed", "interval"}) {
         Features features;
