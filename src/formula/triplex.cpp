@@ -16,6 +16,28 @@ Expr over_distance_to_axis(Expr number, Triplex a) {
     return number * rho * (1.0 / max(rho * rho, 1e-36));
 }
 
+/// re + i rho side, for a rho whose square is known: powers need no root.
+struct Polar {
+    Expr re, side, rho_squared;
+};
+
+Polar operator*(Polar a, Polar b) {
+    return {a.re * b.re - a.side * b.side * a.rho_squared, a.re * b.side + a.side * b.re,
+            a.rho_squared};
+}
+
+Polar whole_power(Polar a, int n) {
+    if (n == 1) return a;
+    const Polar half = whole_power(a, n / 2);
+    const Polar square{half.re * half.re - half.side * half.side * a.rho_squared,
+                       2.0 * half.re * half.side, a.rho_squared};
+    return n % 2 == 0 ? square : square * a;
+}
+
+Polar polar_power(Triplex a, int n) {
+    return whole_power(Polar{a.z, Expr(*a.z.graph, 1.0), a.x * a.x + a.y * a.y}, n);
+}
+
 }  // namespace
 
 Triplex real_power(Triplex a, Expr n) {
@@ -33,13 +55,12 @@ Expr real_power_around(Triplex a, Expr n) {
 
 Triplex whole_power(Triplex a, int n) {
     const Expr rho = hypot(a.x, a.y);
-    const Complex polar = whole_power(Complex{a.z, rho}, n);
+    const Polar polar = polar_power(a, n);
     const Complex around = whole_power(Complex{ratio(a.x, rho), ratio(a.y, rho)}, n);
-    return {polar.im * around.re, polar.im * around.im, polar.re};
+    const Expr aside = rho * polar.side;
+    return {aside * around.re, aside * around.im, polar.re};
 }
 
-Expr whole_power_around(Triplex a, int n) {
-    return over_distance_to_axis(abs(whole_power(Complex{a.z, hypot(a.x, a.y)}, n).im), a);
-}
+Expr whole_power_around(Triplex a, int n) { return abs(polar_power(a, n).side); }
 
 }  // namespace formula

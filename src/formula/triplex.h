@@ -18,7 +18,8 @@ Triplex real_power(Triplex a, graph::Expr n);
 /// How far from the z axis that is, over how far a is.
 graph::Expr real_power_around(Triplex a, graph::Expr n);
 
-/// For n >= 2. By complex powers of z + i rho and (x + i y) / rho, rho = |(x, y)|.
+/// For n >= 2. By powers of z + i rho, which need rho^2 only, and of (x + i y) / rho, rho = |(x,
+/// y)|.
 Triplex whole_power(Triplex a, int n);
 
 /// How far from the z axis that is, over how far a is: of the same expressions.
