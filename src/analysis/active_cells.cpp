@@ -24,6 +24,9 @@ constexpr int deepest = 2;
 /// Cells with so few operands are not worth smaller ones.
 constexpr std::size_t short_list = 8;
 
+/// So many near the surface are worth smaller cells even if there is no time.
+constexpr std::size_t long_list = 32;
+
 /// A cell is far where the surface is farther from its middle than so many times its corners.
 constexpr double far_reaches = 2;
 
@@ -71,12 +74,13 @@ public:
         eval::load_parameters<double>(*composition.outline, parameters, registers_);
     }
 
-    /// With nodes so deep below it at most; none if there was no time.
+    /// With small cells everywhere, or only where lists are long near the surface; none if there
+    /// was no time.
     std::optional<ActiveCells> cube(const glm::dvec3& low, double size, const Known& known,
-                                    int depth, const Budget* budget) {
+                                    bool everywhere, const Budget* budget) {
         found_ = {};
-        depth_ = depth;
-        budget_ = depth > 0 ? budget : nullptr;
+        everywhere_ = everywhere;
+        budget_ = everywhere ? budget : nullptr;
         found_.minima = composition_.minima.size();
         spent_ = 0;
         if (is_over(budget_)) return std::nullopt;
@@ -196,11 +200,12 @@ private:
     /// cell of double its size, which hold so many operands.
     bool is_enough(const Known& known, std::size_t around, double size, int level) const {
         const std::size_t operands = known.count();
-        if (operands <= short_list || level > depth_) return true;
+        if (operands <= short_list || level > deepest) return true;
+        const bool near = std::abs(known.value) <= size;
+        if (!everywhere_) return level > 1 || (level == 1 && !(near && operands > long_list));
         if (level < deepest) return false;
         // The smallest cells are for what is near the surface.
-        const bool near = std::abs(known.value) <= size && 4 * operands <= 3 * around;
-        return !near || spent_ > most_values;
+        return !near || 4 * operands > 3 * around || spent_ > most_values;
     }
 
     /// Adds the cells of a node, which is a cube of this size, and returns its first.
@@ -270,7 +275,7 @@ private:
     std::vector<std::span<const double>> variables_;  ///< the columns
     ActiveCells found_;
     std::size_t spent_ = 0;
-    int depth_ = deepest;
+    bool everywhere_ = true;
     const Budget* budget_ = nullptr;
 };
 
@@ -345,13 +350,13 @@ ActiveCells active_cells(const Composition& composition, const Region& region,
     const Known all = all_of(composition);
     std::vector<ActiveCells> found(
         static_cast<std::size_t>(result.count.x * result.count.y * result.count.z));
-    const auto divide_all = [&](int depth) {
+    const auto divide_all = [&](bool everywhere) {
         const auto divide = [&](Divider& divider, std::size_t i) {
             const int number = static_cast<int>(i), row = number / result.count.x;
             const glm::dvec3 place(number % result.count.x, row % result.count.y,
                                    row / result.count.y);
             auto cube =
-                divider.cube(box.low + result.size * place, result.size, all, depth, budget);
+                divider.cube(box.low + result.size * place, result.size, all, everywhere, budget);
             if (cube) found[i] = std::move(*cube);
         };
         const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -359,10 +364,8 @@ ActiveCells active_cells(const Composition& composition, const Region& region,
             found.size(), threads, [&] { return Divider(composition, region, 1e-6 * longest); },
             divide, 1);
     };
-    if (budget) {
-        for (int depth = 0; depth < deepest; ++depth) divide_all(depth);
-    }
-    divide_all(deepest);
+    if (budget) divide_all(false);
+    divide_all(true);
     join(found, result);
     return result;
 }

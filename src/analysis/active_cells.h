@@ -89,8 +89,8 @@ struct ActiveCells {
 /// far cell |value| - |p - middle| bounds the field's size from below, whose sign is that of the
 /// value. Rigorous as far as operands and field are 1-Lipschitz, with a margin of 1e-6 of the
 /// region for the rounding in single precision. Without a budget work is counted, so that the same
-/// is found on every machine, with any number of cores; with one cubes are divided in larger cells
-/// first, which they keep where it is over.
+/// is found on every machine, with any number of cores; with one cubes have small cells only where
+/// lists are long near the surface first, and keep those where it is over.
 ActiveCells active_cells(const Composition& composition, const Region& region,
                          const Budget* budget = nullptr);
 
