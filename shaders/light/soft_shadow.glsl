@@ -1,3 +1,5 @@
+#include "operator/lesser.glsl"
+
 // How much of a light is seen from o: on the way to it, the smallest of k * distance / travelled
 // (O 6.3.3, K 112). Heuristic: the distance is a first-order estimate.
 //
@@ -25,7 +27,7 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
         Answer a = field(o, l, t);
         field_accept();
         bool hit = a.free <= 0.0;
-        real h = min(a.distance, 1e6);
+        real h = zs_lesser(a.distance, 1e6);
         real slope = a.value == 0.0 ? 0.0 : a.rate * (h / a.value);
         // A sheet's f that grew up to its change of sign and falls behind it has a pole there.
         if (zs_has_edges) hit = hit && !(a.sheet && slope_before > 0.0 && a.value * a.rate < 0.0);
@@ -33,8 +35,8 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
         if (zs_has_rates) {
             bool looks_back = onward > 0.0;
             bool passed = slope_before < 0.0 && slope > 0.0;
-            if (looks_back || (slope < 0.0 && !steep)) seen = min(seen, k * h / t);
-            real way = max(a.free, least);
+            if (looks_back || (slope < 0.0 && !steep)) seen = zs_lesser(k * h / t, seen);
+            real way = zs_greater(a.free, least);
             real nearer = passed ? step * slope / (slope - slope_before) : 0.0;
             step = looks_back ? onward : (passed ? -nearer : way);
             onward = passed ? nearer + way : 0.0;
@@ -42,12 +44,12 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
             if (looks_back) slope = 1.0;
         } else {
             real back = step > 0.0 ? (step * step + h * h - before * before) / (2.0 * step) : 0.0;
-            back = clamp(back, 0.0, min(h, step));
+            back = zs_lesser(zs_greater(back, 0.0), zs_lesser(h, step));
             if (t > back && !(slope > 0.0) && !steep) {
-                seen = min(seen, k * sqrt(h * h - back * back) / (t - back));
+                seen = zs_lesser(k * sqrt(h * h - back * back) / (t - back), seen);
             }
-            real longer = max(zs_longer_steps, zs_knows_evenness ? 3.0 * zs_evenness : 0.0);
-            step = max(min(longer * a.free, max(h, least)), least);
+            real longer = zs_greater(zs_longer_steps, zs_knows_evenness ? 3.0 * zs_evenness : 0.0);
+            step = zs_greater(zs_lesser(longer * a.free, zs_greater(h, least)), least);
         }
         if (hit) seen = 0.0;
         before = h;
@@ -55,7 +57,7 @@ real soft_shadow(real3 o, real3 l, real t0, real t1) {
         // What comes closer is looked at once more where it leaves the bounds.
         bool ahead = t < t1 && (t + step <= t1 || slope < 0.0);
         going = seen >= 0.01 && (ahead || step < 0.0) && ++steps < most;
-        step = min(step, t1 - t);
+        step = zs_lesser(step, t1 - t);
         t += step;
     } while (going);
     return seen < 0.01 ? 0.0 : seen * seen * (3.0 - 2.0 * seen);
