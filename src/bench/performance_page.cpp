@@ -130,7 +130,8 @@ std::string performance_page(const Report& report, const std::vector<TortureScen
         "Normals are by six evaluations. Camera, bounds and light are the same, a shadow ray for "
         "each light.\n"
         "- **limit**: a program that is told the right depth, evaluates the field once, takes its "
-        "normal and shades, without shadow rays: the least that any tracer could cost.\n\n"
+        "normal and shades, without shadow rays: the least that any tracer could cost in every "
+        "pixel. Only the tracers' programs leave the pixels around the bounds to a smaller one.\n\n"
         "Ratios are medians of those of single rounds, so that a slow moment does not count. Above "
         "1 is slower.\n\n";
     page += "Geometric means of the ratios (over how many presets):\n\n" + means_table(report);

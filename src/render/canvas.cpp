@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "render/bounds_on_screen.h"
+
 namespace render {
 
 namespace {
@@ -175,6 +177,7 @@ Canvas& Canvas::operator=(Canvas&& other) noexcept {
     std::swap(normal_, other.normal_);
     std::swap(light_, other.light_);
     std::swap(bricks_, other.bricks_);
+    std::swap(background_, other.background_);
     std::swap(frame_buffer_object_, other.frame_buffer_object_);
     std::swap(values_buffer_object_, other.values_buffer_object_);
     std::swap(tile_parts_, other.tile_parts_);
@@ -245,9 +248,7 @@ void Canvas::draw_from(Pass first, const Canvas& kept, const Program& program, c
     gl.TextureBarrier();
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
     gl.Viewport(0, 0, width_, height_);
-    gl.Scissor(tile.x, tile.y, tile.width, tile.height);
-    gl.UseProgram(program.name());
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    draw_pixels(program, own, tile);
 
     // Leave nothing behind that a user interface would trip over.
     gl.BindVertexArray(0);
@@ -255,6 +256,23 @@ void Canvas::draw_from(Pass first, const Canvas& kept, const Program& program, c
     gl.Disable(GL_SCISSOR_TEST);
     gl.Disable(GL_BLEND);
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+}
+
+/// Rays beside the bounds meet nothing: what is there does without the scene's program.
+void Canvas::draw_pixels(const Program& program, const Frame& frame, const Tile& tile) {
+    const auto draw = [&](const Program& with, const std::vector<Tile>& parts) {
+        gl_->UseProgram(with.name());
+        for (const Tile& part : parts) {
+            gl_->Scissor(part.x, part.y, part.width, part.height);
+            gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+        }
+    };
+    const Program* background = background_.of(*gl_, program, tile.x == 0 && tile.y == 0);
+    if (!background) return draw(program, {tile});
+    const ScreenParts parts = bounds_on_screen(frame, program.background()->bounds_box, tile);
+    if (parts.outside.empty()) return draw(program, {tile});
+    draw(program, parts.inside);
+    draw(*background, parts.outside);
 }
 
 void Canvas::draw_tile_parts(const Program& program, const Frame& frame, const Tile& tile) {

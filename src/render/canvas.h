@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "image/image.h"
+#include "render/background_program.h"
 #include "render/brick_texture.h"
 #include "render/frame.h"
 #include "render/gl.h"
@@ -59,6 +60,7 @@ public:
 private:
     Canvas() = default;
     void draw_tile_parts(const Program& program, const Frame& frame, const Tile& tile);
+    void draw_pixels(const Program& program, const Frame& frame, const Tile& tile);
 
     void bind_families(const shader::FieldNumbers& numbers);
 
@@ -67,6 +69,7 @@ private:
     GLuint framebuffer_ = 0, vertex_array_ = 0;
     GLuint picture_ = 0, geometry_ = 0, normal_ = 0, light_ = 0;
     std::optional<BrickTexture> bricks_;
+    BackgroundProgram background_;
     GLuint frame_buffer_object_ = 0, values_buffer_object_ = 0;
     std::optional<TileParts> tile_parts_;  ///< always there in a canvas that can be drawn into
     GLuint families_buffer_object_ = 0, families_texture_ = 0;

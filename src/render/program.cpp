@@ -85,6 +85,7 @@ base::Result<Program> Program::link(const Gl& gl, const shader::ProgramSource& s
     }
     if (!done) return done.problems();
     program.doubled_ = source.precision == shader::Precision::doubled;
+    program.background_ = source.background;
     return program;
 }
 
@@ -93,6 +94,7 @@ Program& Program::operator=(Program&& other) noexcept {
     std::swap(name_, other.name_);
     std::swap(prepass_name_, other.prepass_name_);
     std::swap(doubled_, other.doubled_);
+    std::swap(background_, other.background_);
     return *this;
 }
 

@@ -2,6 +2,7 @@
 // The linked programs that draw one scene.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -22,7 +23,8 @@ public:
         : gl_(other.gl_),
           name_(std::exchange(other.name_, 0)),
           prepass_name_(std::exchange(other.prepass_name_, 0)),
-          doubled_(other.doubled_) {}
+          doubled_(other.doubled_),
+          background_(std::move(other.background_)) {}
     Program& operator=(Program&& other) noexcept;
     ~Program();
 
@@ -31,6 +33,8 @@ public:
     GLuint prepass_name() const { return prepass_name_; }
     /// Whether its uniform blocks are in double precision.
     bool doubled() const { return doubled_; }
+    /// For the pixels around the bounds, not linked yet (BackgroundProgram).
+    const std::optional<shader::BackgroundSource>& background() const { return background_; }
 
 private:
     explicit Program(const Gl& gl) : gl_(&gl) {}
@@ -38,6 +42,7 @@ private:
     const Gl* gl_;
     GLuint name_ = 0, prepass_name_ = 0;
     bool doubled_ = false;
+    std::optional<shader::BackgroundSource> background_;
 };
 
 }  // namespace render

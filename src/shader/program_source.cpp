@@ -274,6 +274,28 @@ void add_tracer(Assembly& assembly, const FieldGlsl& generated, const Tracer& tr
     assembly.add_part(generated.is_regular ? "tracer/march.glsl" : "tracer/careful_march.glsl");
 }
 
+std::optional<BackgroundSource> background_source(Features features) {
+    const bool measures = certifies(features) || features.show_steps || features.show_normals ||
+                          features.told_depth || features.outputs.count;
+    if (measures || !(features.bounds_sphere || features.bounds_box)) return std::nullopt;
+    features.few_lights = false;
+    Assembly assembly(features.precision);
+    assembly.add_code("#version 450 core\n");
+    assembly.add_part("common/real.glsl");
+    assembly.add_part(has_inputs(features) ? "common/frame_input.glsl"
+                                           : "common/frame_uniform.glsl");
+    assembly.add_part("common/ray.glsl");
+    assembly.add_part("light/background.glsl");
+    assembly.add_part(features.grid ? "ground/grid.glsl" : "ground/none.glsl");
+    assembly.add_part("output/behind.glsl");
+    assembly.add_code(outputs_code(features, false));
+    assembly.add_code(fmt::format(
+        "void main() {{\n    real3 o = frame.eye.xyz, d = behind_direction(), n = real3(0.0);\n"
+        "    write_pixel(nothing(), {});\n}}\n",
+        features.outputs.all() ? "n, pixel_light(nothing(), o, d, n)" : "o, d, n"));
+    return BackgroundSource{vertex_text({}, features), assembly.text(), features.bounds_box};
+}
+
 std::string prepass_text(const FieldGlsl& generated, const Tracer& tracer,
                          const Features& features) {
     Assembly assembly(features.precision);
@@ -330,7 +352,8 @@ ProgramSource program_source(const field::Field& field, const Features& features
             std::move(generated.polynomials),
             std::move(generated.families),
             std::move(generated.family_trees),
-            features.precision};
+            features.precision,
+            background_source(features)};
 }
 
 }  // namespace shader

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -103,6 +104,13 @@ struct FieldValue {
     std::size_t family = 0, component = 0;
 };
 
+/// A program for the pixels whose rays do not meet the bounds: it writes what the scene's program
+/// would, for less. The same for all fields.
+struct BackgroundSource {
+    std::string vertex, fragment;
+    bool bounds_box = false;  ///< otherwise they are a sphere
+};
+
 struct ProgramSource {
     std::string vertex;
     std::string fragment;
@@ -125,6 +133,8 @@ struct ProgramSource {
     std::vector<FamilyTree> family_trees{};
     /// Says in which numbers the uniform blocks are, and about which origin.
     Precision precision = Precision::single;
+    /// None without bounds, and where more is counted or shown than the picture.
+    std::optional<BackgroundSource> background{};
 
     /// Whether both are the same program; its numbers are the same then too.
     bool same_text(const ProgramSource& other) const {

@@ -66,6 +66,34 @@ TEST_F(CanvasTest, a_tile_draws_its_pixels_and_no_others) {
         }
 }
 
+TEST_F(CanvasTest, pixels_around_the_bounds_are_left_to_the_background_from_the_second_frame_on) {
+    Canvas canvas = make_canvas(64, 64, picture_only);
+    scene::Document document;
+    document.bounds = {scene::Bounds::Shape::sphere, glm::dvec3(0), glm::dvec3(1)};
+    scene::Camera camera;
+    camera.eye = {0, 0, 5};
+    camera.target = {0, 0, 0};
+    const render::Frame frame = render::frame(document, camera, render::whole(64, 64));
+    shader::ProgramSource source = render_test::program("out_picture = vec4(1, 0, 0, 1);");
+    const shader::ProgramSource green = render_test::program("out_picture = vec4(0, 1, 0, 1);");
+    const auto drawn = [&](const Program& program, int x, int y) {
+        // In two tiles: a frame begins where its first one does.
+        canvas.draw(program, frame, {}, {0, 0, 64, 32});
+        canvas.draw(program, frame, {}, {0, 32, 64, 32});
+        return canvas.read_picture().at(x, y)[1];
+    };
+    source.background = shader::BackgroundSource{green.vertex, green.fragment};
+    const Program program = make_program(source);
+    EXPECT_EQ(drawn(program, 0, 0), 0) << "nothing is linked in the first frame";
+    EXPECT_EQ(drawn(program, 0, 0), 255);
+    EXPECT_EQ(drawn(program, 63, 40), 255);
+    EXPECT_EQ(drawn(program, 32, 32), 0);
+    // One that the driver rejects is done without.
+    source.background->fragment = "#version 450 core\nnonsense";
+    const Program rejected = make_program(source);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(drawn(rejected, 0, 0), 0);
+}
+
 TEST_F(CanvasTest, outputs_go_to_their_own_textures) {
     Canvas canvas = make_canvas(3, 2, everything);
     const Program program =
